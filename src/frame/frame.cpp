@@ -4,10 +4,10 @@
 namespace hrbfnpr::frame {
 namespace {
 
-// Lines take this share of the time, if there are any.
+// The share of the time that lines take, if there are any.
 constexpr double lines_end = 0.7;
 
-// At the end of the scope, threads stop checking for cancellation.
+// While this object lives, threads check for cancellation.
 struct Watch {
     ~Watch() { threads.watch(base::Progress()); }
     base::Parallel& threads;
@@ -21,7 +21,7 @@ Frame::Frame(const base::Runtime& runtime)
 
 void Frame::draw(std::span<const Item> items, const Camera& camera, const base::Progress& progress,
                  drawing::Drawing& drawing) {
-    runtime_.parallel.watch(progress); // threads check for cancellation before each task
+    runtime_.parallel.watch(progress); // Threads check for cancellation before each task.
     const Watch watch{runtime_.parallel};
     try {
         set_up(scene_, items, camera, drawing);
@@ -32,7 +32,7 @@ void Frame::draw(std::span<const Item> items, const Camera& camera, const base::
             depth_layers_.run(scene_, strokes, progress.part(lines_end, 1.0), drawing);
         }
         drawing.counts.scratch_bytes = scene_.bytes() + published_.bytes() + depth_layers_.bytes();
-        progress.update(1.0); // the last chance to cancel
+        progress.update(1.0); // This is the last check for cancellation.
     } catch (...) {
         lines_.forget();
         throw;

@@ -8,21 +8,21 @@
 
 namespace hrbfnpr::frame {
 
-// Makes drawings. One thread at a time may use it, and its scratch is reused. Once warm it allocates nothing, unless
-// lines are drawn.
+// Makes drawings. Only one thread at a time may use it. Its working memory is reused: after some frames it allocates
+// nothing, unless lines are drawn.
 class Frame {
 public:
     explicit Frame(const base::Runtime& runtime);
     Frame(const Frame&) = delete;
     Frame& operator=(const Frame&) = delete;
 
-    // Fills `drawing` and overwrites its old content. Throws Error{invalid_argument, callback, cancelled,
-    // out_of_memory}; then `drawing` is not valid.
+    // Makes the new content of `drawing`. Throws Error{invalid_argument, callback, cancelled, out_of_memory}; the
+    // drawing is then not valid.
     void draw(std::span<const Item> items, const Camera& camera, const base::Progress& progress,
               drawing::Drawing& drawing);
 
 private:
-    base::Runtime runtime_; // its threads check for cancellation while a frame is drawn
+    base::Runtime runtime_; // While a frame is drawn, its threads check for cancellation.
     Scene scene_;
     published::PublishedFrame published_;
     LayerFrame depth_layers_;

@@ -20,7 +20,7 @@ namespace {
 
 using marks::MarkBlock;
 
-constexpr std::int64_t clusters_a_task = 64; // a cluster has at most 128 marks
+constexpr std::int64_t clusters_a_task = 64; // A task has this many clusters. A cluster has at most 128 marks.
 
 // ---- Items
 
@@ -44,7 +44,7 @@ constexpr std::int64_t clusters_a_task = 64; // a cluster has at most 128 marks
            a.splat_overlap == b.splat_overlap;
 }
 
-// The ink of an item whose first run is `first`.
+// Returns the ink of an item, whose first run has the number `first`.
 [[nodiscard]] ItemInk ink_of(const Scene& scene, std::int64_t first, base::Array<ItemInk::Term>& terms) {
     ItemInk ink;
     ink.first = terms.size();
@@ -52,10 +52,10 @@ constexpr std::int64_t clusters_a_task = 64; // a cluster has at most 128 marks
     float lines = 0.0F;
     for (std::int64_t r = first; r < scene.runs.size() && scene.runs[r].item == scene.runs[first].item; ++r) {
         const Run& run = scene.runs[r];
-        // Tone is made by other layers: hatching makes its own.
+        // These marks do not count: hatching makes its tone itself, and other runs make no tone.
         if (!run.draws_front || !run.makes_tone || run.shape == Shape::hatch) continue;
-        // Blue-noise hatching has lines of one direction. Other strokes have two directions with half of the marks
-        // each.
+        // The strokes of blue-noise hatching have one direction. Other strokes have two directions, each with half of
+        // the marks.
         const bool has_one = run.is_scattered() || (run.is_even() && run.marks->kind == marks::Kind::hatch);
         const float spacing = run.discs.spacing;
         ItemInk::Term term{&run.discs,
@@ -92,8 +92,8 @@ void set_up_items(const Scene& scene, Gathering& all) {
             all.inks[scene.runs[r].item] = ink_of(scene, r, all.terms);
 }
 
-// The ink of a disc as it is drawn, in square pixels. The disc's rim falls off over a pixel, and a disc with a radius
-// below half a pixel gets paler instead of smaller.
+// The ink of a disc in square pixels. Its rim fades over a pixel. A disc with a radius below half a pixel becomes paler
+// instead of smaller.
 [[nodiscard]] float disc_ink(float radius) noexcept {
     const float drawn = std::max(radius, smallest_radius);
     const float dimmed = radius / drawn;
@@ -105,7 +105,7 @@ void set_up_items(const Scene& scene, Gathering& all) {
     for (const ItemInk::Term& t : terms) {
         const float radius = t.discs->front_ink(pixels_per_unit);
         float area = disc_ink(radius);
-        // The discs of a stroke overlap and form a line.
+        // The discs along a stroke overlap and form a line.
         if (t.step > 0.0F) area = std::min(area, 2.0F * radius * t.step * pixels_per_unit);
         ink += t.marks_per_area * area;
     }
@@ -114,8 +114,8 @@ void set_up_items(const Scene& scene, Gathering& all) {
 
 // ---- Tasks and tones
 
-// Returns how many marks are in no task. The code for hatching examines its marks itself, so a run of hatching is in a
-// task only if its marks are splats.
+// Adds the tasks. Returns the number of marks that are in no task. Hatching has separate code for its marks, so a run
+// of hatching is in a task only if its marks are splats.
 std::int64_t add_tasks(const Scene& scene, base::Array<GatherTask>& tasks) {
     tasks.clear();
     std::int64_t unused = 0;
@@ -152,7 +152,7 @@ void ask_tones(const Scene& scene, const ProjectionLoops& loops, Gathering& all)
     const auto asks = [&](const Run& run) { return scene.item_of(run).style.tone == Tone::callback; };
     if (!std::any_of(scene.runs.begin(), scene.runs.end(), asks)) return;
     base::resize_scratch(all.tau, scene.place_count());
-    // The loops read, but do not use, the tones of marks that no callback was asked for.
+    // Some tones were not asked for. The loops read them, but do not use them.
     std::fill(all.tau.begin(), all.tau.end(), 0.0F);
     for (const Run& run : scene.runs) {
         if (!asks(run) || !run.draws_front) continue;
@@ -164,7 +164,7 @@ void ask_tones(const Scene& scene, const ProjectionLoops& loops, Gathering& all)
 
 // ---- Clusters
 
-// The data with which all clusters of a run are gathered.
+// The data for gathering the clusters of a run.
 struct RunView {
     const Scene& scene;
     const Run& run;
@@ -173,7 +173,7 @@ struct RunView {
     const ItemInk& ink;
     const TransmittanceTable& transmittance;
     const Gathering& all;
-    std::uint32_t layer; // number of the run's layer in the drawing
+    std::uint32_t layer; // the number of the run's layer in the drawing
 };
 
 // The places of the next dot and splat, and the counts of those before.

@@ -22,8 +22,8 @@ namespace {
 
 constexpr std::int64_t strokes_a_task = 256;
 
-// Finds whether all ink that may occur has one colour, since then its order does not matter. The first layers belong to
-// the runs, with the same numbers; the layers of lines follow.
+// Finds whether all possible ink has one colour, because its order then does not matter. The layers of the runs come
+// first and have the numbers of the runs; the layers of lines follow.
 void find_color(const Scene& scene, drawing::Drawing& drawing) {
     HRBFNPR_ASSERT(scene.runs.size() <= drawing.layers.size());
     drawing.one_color = true;
@@ -47,7 +47,7 @@ void bin_dots(const base::Parallel& parallel, const Scene& scene, std::span<cons
     const auto height = static_cast<std::int32_t>(std::ceil(v.y + v.w - top));
     drawing.dot_tiles.build(parallel, width, height, pieces, [&](std::int64_t i, drawing::Tiles::Footprint& print) {
         const Dot& ink = drawing.dots[i];
-        // A dot that just misses the picture belongs to the nearest tile, too.
+        // A dot that is just outside the picture belongs to the nearest tile.
         print = drawing::Tiles::Footprint::of_disc(std::clamp(ink.x - left, 0.0F, static_cast<float>(width)),
                                                    std::clamp(ink.y - top, 0.0F, static_cast<float>(height)),
                                                    std::max(ink.radius, smallest_radius) + soft_rim);
@@ -64,8 +64,8 @@ void bin_dots(const base::Parallel& parallel, const Scene& scene, std::span<cons
 
 constexpr float no_depth = std::numeric_limits<float>::infinity();
 
-// Planes reach some pixels beyond their tile. Dots just outside the picture need these pixels, and so does the test of
-// how far a surface continues where an item ends.
+// Planes extend some pixels beyond their tile. Dots just outside the picture need these pixels, as does the test
+// whether a surface continues where an item ends.
 constexpr std::int32_t tile_size = drawing::tile_size;
 constexpr std::int32_t narrow_apron = 4;
 constexpr std::int32_t wide_apron = 9;
@@ -75,7 +75,7 @@ constexpr std::int64_t plane = std::int64_t{stride} * side;
 constexpr std::int64_t planes_of_one = 2 * LayerPlanes::layers + 2;
 
 constexpr std::int64_t rays_at_a_time = 16384;
-constexpr std::int32_t most_layers = 8; // a ray finds at most this many
+constexpr std::int32_t most_layers = 8; // The largest number of layers that a ray finds.
 
 // The surfaces and tables that dim the tiles of a drawing.
 struct DimmingInput {
@@ -97,7 +97,7 @@ struct DimmingInput {
     return planes;
 }
 
-// The number of the pixel at a place, which is clamped to the planes.
+// Returns the number of the pixel at a place. Places outside the planes are clamped.
 [[nodiscard]] std::int32_t pixel_at(const LayerPlanes& p, const glm::vec2& place) noexcept {
     const auto column = static_cast<std::int32_t>(std::clamp(place.x, 0.0F, static_cast<float>(p.width - 1)));
     const auto row = static_cast<std::int32_t>(std::clamp(place.y, 0.0F, static_cast<float>(p.height - 1)));
@@ -243,7 +243,7 @@ std::int64_t cast_dot_rays(const base::Runtime& runtime, const Scene& scene, con
     HRBFNPR_ASSERT(scratch.rays.origin.size() == scratch.ray_dots.size());
     surface::RaySettings settings;
     settings.maximum_hits = most_layers;
-    if (scene.lens.centre.w != 0.0F) settings.t_max = 1.0; // rays end at the eye
+    if (scene.lens.centre.w != 0.0F) settings.t_max = 1.0; // Rays end at the eye.
     surface::cast_rays(runtime, *item.model, settings, scratch.rays, scratch.hits);
     std::int64_t hidden = 0;
     for (std::int64_t i = 0; i < scratch.ray_dots.size(); ++i) {
@@ -264,8 +264,9 @@ std::int64_t cast_dot_rays(const base::Runtime& runtime, const Scene& scene, con
     return hidden;
 }
 
-// Bins the drawing's splats, and sets the opacity of each dot to the transmittance of the depth layers that the splats
-// represent. The dots are in tiles already; dots of hatching are in separate tiles. Returns how many are drawn.
+// Puts the drawing's splats into tiles. Sets the opacity of each dot to the transmittance of the depth layers that the
+// splats represent. All dots are in tiles already, those of hatching in separate ones. Returns the number of dots that
+// are drawn.
 [[nodiscard]] std::int64_t dim_by_layers(const base::Runtime& runtime, const Scene& scene, const HatchTiles& hatching,
                                          DepthLayers& scratch, drawing::Drawing& drawing) {
     const drawing::Tiles& tiles = drawing.dot_tiles;
@@ -294,19 +295,18 @@ std::int64_t cast_dot_rays(const base::Runtime& runtime, const Scene& scene, con
     return std::accumulate(scratch.seen.begin(), scratch.seen.end(), std::int64_t{0});
 }
 
-// Multiplies the opacity of the dots of items that have a model by what rays find. Returns how many are no longer
-// drawn.
-// Throws Error{callback, out_of_memory}.
+// For items with a model, multiplies the opacity of dots by the result of rays. Returns the number of dots that are no
+// longer drawn. Throws Error{callback, out_of_memory}.
 [[nodiscard]] std::int64_t dim_by_rays(const base::Runtime& runtime, const Scene& scene, DepthLayers& scratch,
                                        drawing::Drawing& drawing) {
-    scratch.rays.origin.clear(); // a failed frame leaves rays here
+    scratch.rays.origin.clear(); // If the last frame failed, its rays may still be in the list.
     scratch.rays.direction.clear();
     scratch.ray_dots.clear();
     const glm::dvec3 centre(scene.lens.centre);
     const bool parallel = scene.lens.centre.w == 0.0F;
     std::int64_t hidden = 0;
-    const ItemView* item = nullptr; // the item whose rays are being collected
-    glm::dmat3 back(1.0);           // from eye space to the item's own
+    const ItemView* item = nullptr; // the item whose rays are collected
+    glm::dmat3 back(1.0);           // from eye space to the item's space
     double scale = 1.0;
     const auto flush = [&] {
         if (!scratch.ray_dots.empty()) hidden += cast_dot_rays(runtime, scene, *item, scratch, drawing);
@@ -388,8 +388,8 @@ void LayerFrame::dim(const Scene& scene, drawing::Drawing& drawing) {
     drawing.counts.dropped_hidden = dots - drawing.dot_count;
 }
 
-// Joins marks that follow each other along a stroke into one line, if they are shown and their layer is drawn as
-// strokes. Their dots are not drawn any more. A single mark stays a dot.
+// If a layer is drawn as strokes, joins its consecutive marks that are shown into lines. The dots of these marks are no
+// longer drawn. A mark without shown neighbours stays a dot.
 void LayerFrame::join_dots(const Scene& scene, drawing::Drawing& drawing) {
     joined_.strokes.clear();
     joined_.points.clear();

@@ -17,7 +17,7 @@
 
 namespace hrbfnpr::frame {
 
-// Arrays that are kept from frame to frame.
+// The arrays of a drawing by depth layers. They are kept from frame to frame.
 struct DepthLayers {
     explicit DepthLayers(base::Memory& memory) noexcept
         : largest(memory), planes(memory), seen(memory), rays(memory), hits(memory), ray_dots(memory) {}
@@ -26,9 +26,9 @@ struct DepthLayers {
     // beyond their surface.
     base::Array<float> largest;
 
-    // Scratch.
-    base::Array<float> planes;      // the pixel planes of all workers, one worker after the other
-    base::Array<std::int64_t> seen; // how many dots of each tile are drawn
+    // Working memory.
+    base::Array<float> planes;      // the pixel planes of all workers, worker by worker
+    base::Array<std::int64_t> seen; // for each tile: the number of dots that are drawn
     surface::Rays rays;
     surface::RayHits hits;
     base::Array<std::uint32_t> ray_dots; // the dots where the rays begin
@@ -43,8 +43,8 @@ class LayerFrame {
 public:
     explicit LayerFrame(const base::Runtime& runtime) noexcept;
 
-    // Fills the drawing's dots, splats, strokes, tiles and counts. `lines` are finished strokes.
-    // Throws Error{callback, cancelled, out_of_memory}.
+    // Makes the drawing's dots, splats, strokes, tiles and counts. `lines` are finished strokes. Throws Error{callback,
+    // cancelled, out_of_memory}.
     void run(const Scene& scene, const LineStrokes& lines, const base::Progress& progress, drawing::Drawing& drawing);
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
@@ -66,7 +66,7 @@ private:
     HatchTiles hatch_tiles_;
     NearerEdges edges_;
     DepthLayers layers_;
-    base::Array<std::int64_t> dot_of_; // the number of the dot of each mark of a run; -1: the mark is not shown
+    base::Array<std::int64_t> dot_of_; // for each mark of a run: the number of its dot, or -1 if the mark is not shown
     LineStrokes joined_;
     base::Array<ReadyStroke> ready_;
     base::Array<std::uint64_t> keys_;

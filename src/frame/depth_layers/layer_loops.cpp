@@ -13,7 +13,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using F = hn::CappedTag<float, 16>; // discs are a few pixels wide
+using F = hn::CappedTag<float, 16>; // Vectors are at most 16 wide, because discs are only a few pixels wide.
 using W = hn::Vec<F>;
 
 HWY_INLINE std::int32_t clamped(float at, std::int32_t limit) {
@@ -21,7 +21,7 @@ HWY_INLINE std::int32_t clamped(float at, std::int32_t limit) {
     return static_cast<std::int32_t>(at < 0.0F ? 0.0F : at > top ? top : at);
 }
 
-// A splat, or its halo, in pixels of the planes.
+// A splat or its halo. Lengths are in pixels of the planes.
 struct LayerDisc {
     float x, y, radius;
     float depth, slope_x, slope_y, pixels_per_unit;
@@ -31,7 +31,7 @@ HWY_INLINE LayerDisc disc_of(const SplatList& list, const Splat& c) {
     return {c.x - list.left, c.y - list.top, c.radius, c.depth, c.slope_x, c.slope_y, c.pixels_per_unit};
 }
 
-// Calls put(offset, depth, inside) for each vector of pixels that may lie within the disc.
+// Calls put(offset, depth, inside) for each vector of pixels that may overlap the disc.
 template <bool round, class Put>
 HWY_INLINE void for_pixels(const LayerPlanes& p, const LayerDisc& disc, Put&& put) {
     const F d;
@@ -41,7 +41,7 @@ HWY_INLINE void for_pixels(const LayerPlanes& p, const LayerDisc& disc, Put&& pu
     const std::int32_t right = clamped(disc.x + disc.radius + 1.0F, p.width);
     const std::int32_t top = clamped(disc.y - disc.radius, p.height);
     const std::int32_t bottom = clamped(disc.y + disc.radius + 1.0F, p.height);
-    // A pixel is within the disc if (1 + u^2) x^2 + 2 u v x y + (1 + v^2) y^2 <= radius^2. (u, v) is the slope in
+    // A pixel is inside the disc if (1 + u^2) x^2 + 2 u v x y + (1 + v^2) y^2 <= radius^2, where (u, v) is the slope in
     // pixels.
     const float u = round ? 0.0F : disc.slope_x * disc.pixels_per_unit;
     const float v = round ? 0.0F : disc.slope_y * disc.pixels_per_unit;
@@ -61,7 +61,8 @@ HWY_INLINE void for_pixels(const LayerPlanes& p, const LayerDisc& disc, Put&& pu
     }
 }
 
-// Keeps the nearer of two layers, or the first of equal ones. A tile's splats are always in the same order.
+// Keeps the nearer of two layers. Of two equal layers it keeps the first, which is well defined, because the splats of
+// a tile are always in the same order.
 template <class Mask>
 HWY_INLINE void keep_nearer(float* depths, float* transmittances, W depth, W transmittance, Mask inside) {
     const F d;
@@ -95,7 +96,7 @@ HWY_INLINE void draw_next(const LayerPlanes& p, const LayerDisc& disc, const Spl
     for_pixels<false>(p, disc, [&](std::int32_t at, W depth, auto inside) HWY_ATTR {
         auto is_next = hn::Gt(depth, hn::Add(hn::LoadU(d, p.depth[own] + at), gap));
         if (!c.faces_back) {
-            // Between two layers that face the eye lies one that faces away, so the gap may be small.
+            // A layer that faces away lies between any two layers that face the eye, so the gap may be small.
             const W back = hn::LoadU(d, p.depth[LayerPlanes::back] + at);
             const auto parted = hn::And(hn::Gt(depth, hn::Add(back, between)),
                                         hn::Gt(back, hn::LoadU(d, p.depth[LayerPlanes::front] + at)));

@@ -11,21 +11,21 @@ namespace hrbfnpr::frame {
 
 using drawing::Splat;
 
-// Planes with a float for each pixel, in rows of `stride` floats. They hold the depths and transmittances of the
-// nearest layer along the line of sight that faces the eye, of the nearest that faces away, and of the next one of
-// each.
+// Planes with a float for each pixel, in rows of `stride` floats. For each pixel they hold the depths and
+// transmittances of four layers on the line of sight: the nearest layer that faces the eye, the nearest that faces
+// away, and the next layer of each kind.
 struct LayerPlanes {
     enum Layer : std::int64_t { front, back, next_front, next_back, layers };
 
     std::int32_t width, height, stride; // stride >= width + 16
     float* depth[layers];
     float* transmittance[layers];
-    float* halo; // depth of the nearest contour whose halo reaches the pixel
+    float* halo; // the depth of the nearest contour whose halo covers the pixel
     float* halo_transmittance;
-    float largest_splat; // the radius of the largest splat drawn into the planes, pixels
+    float largest_splat; // the radius of the largest splat in the planes, in pixels
 };
 
-// Splats, given by their numbers. (left, top) is the first pixel of the planes.
+// A list of splats by their numbers. (left, top) is the first pixel of the planes.
 struct SplatList {
     const Splat* splats;
     const std::uint32_t* numbers;

@@ -16,7 +16,7 @@ using drawing::StrokePoint;
 
 namespace {
 
-constexpr float cell_side = 16.0F; // pixels
+constexpr float cell_side = 16.0F; // in pixels
 // A long edge is cut into at most this many pieces.
 constexpr float most_pieces = 4096.0F;
 
@@ -24,7 +24,7 @@ constexpr float most_pieces = 4096.0F;
 
 [[nodiscard]] float cross(const glm::vec2& a, const glm::vec2& b) noexcept { return a.x * b.y - a.y * b.x; }
 
-// The halo of an edge that is nearer than a line by `before` pixels.
+// Returns the width of the halo of an edge that is nearer than a line by `before` pixels.
 [[nodiscard]] float halo_of(float before, float halo) noexcept {
     return std::max(
         hatch_tuning.edge_gap,
@@ -32,8 +32,7 @@ constexpr float most_pieces = 4096.0F;
                           0.0F, 1.0F));
 }
 
-// Returns the first share of the way from p to q at which the way enters the disc around the centre. p lies outside the
-// disc.
+// Returns the share of the way from p at which the way enters the disc around the centre. p is outside the disc.
 [[nodiscard]] float entry_of_disc(const glm::vec2& p, const glm::vec2& way, const glm::vec2& centre,
                                   float radius) noexcept {
     const glm::vec2 from = p - centre;
@@ -43,7 +42,7 @@ constexpr float most_pieces = 4096.0F;
     return half < 0.0F && root >= 0.0F ? (-half - std::sqrt(root)) / square : NearerEdges::nowhere;
 }
 
-// Returns the same share for the points within `radius` of a segment: two discs at its ends and the strip between them.
+// The same for the points within `radius` of a segment: a strip, with a disc at each end.
 [[nodiscard]] float entry_of_strip(const glm::vec2& p, const glm::vec2& way, const glm::vec2& from, const glm::vec2& to,
                                    float radius) noexcept {
     const glm::vec2 along = to - from;
@@ -61,15 +60,15 @@ constexpr float most_pieces = 4096.0F;
     return first;
 }
 
-// Returns how many pixels nearer to the eye than `depth` the edge is, at its point nearest to `at`.
+// Returns how much nearer to the eye than `depth` the edge is, in pixels, at its point closest to `at`.
 [[nodiscard]] float nearer_at(const NearerEdge& edge, const glm::vec2& at, float depth,
                               float pixels_per_unit) noexcept {
     const float share = geometry::nearest_parameter(at, edge.a, edge.b);
     return (depth - edge.depth_a - share * (edge.depth_b - edge.depth_a)) * pixels_per_unit;
 }
 
-// Returns how many pixels nearer to the eye the edge is than a line from a to b. Both are continued to the place where
-// they would cross. So the result is 0 for an edge of the line's own surface, however steep the surface is.
+// Returns how much nearer to the eye an edge is than the line from a to b, in pixels. Both are extended to the place
+// where they cross. So for an edge of the line's own surface the result is 0, however steep the surface is.
 [[nodiscard]] float nearer_on(const NearerEdge& edge, const Dot& a, const Dot& b) noexcept {
     const glm::vec2 way = place(b) - place(a);
     const glm::vec2 along = edge.b - edge.a;
@@ -96,7 +95,8 @@ glm::ivec4 NearerEdges::cells(const glm::vec2& low, const glm::vec2& high) const
             cell(high.y - corner_.y, rows_) + 1};
 }
 
-// Cuts the edge into pieces no longer than a cell, so that their boxes meet few cells that the edge does not cross.
+// Divides the edge into pieces no longer than a cell, so that the bounding boxes of pieces touch few cells that the
+// edge does not cross.
 template <class F>
 void NearerEdges::for_cells_of(const NearerEdge& edge, const F& f) const {
     const auto pieces = 1 + static_cast<std::int32_t>(std::min(glm::distance(edge.a, edge.b) / cell_side, most_pieces));
@@ -142,7 +142,8 @@ void NearerEdges::build(const LineStrokes& lines, std::span<const drawing::Layer
                 edges_.push_back(edge);
         }
     }
-    // Counts are stored two places ahead. Filling moves them back, so that first_[cell] is where the cell begins.
+    // Counts are stored two places ahead. Filling moves them back, so that first_[cell] is then the beginning of the
+    // cell.
     base::resize_scratch(first_, std::int64_t{columns_} * rows_ + 2);
     std::fill(first_.begin(), first_.end(), 0);
     for (const NearerEdge& edge : edges_) for_cells_of(edge, [&](std::int32_t cell) { ++first_[cell + 2]; });
@@ -194,7 +195,7 @@ float NearerEdges::clear_width(const StrokePoint& point, const glm::vec2& along,
     const float reach = radius + std::max(halo, hatch_tuning.edge_gap);
     float least = radius;
     for_near(at - reach, at + reach, [&](const NearerEdge& edge) {
-        // Only an edge that meets the perpendicular of the line at the point counts.
+        // An edge counts only if it crosses the perpendicular to the line at the point.
         const float from = glm::dot(edge.a - at, u);
         const float to = glm::dot(edge.b - at, u);
         if (from * to > 0.0F || from == to) return;
@@ -217,7 +218,7 @@ float NearerEdges::clear_width(const StrokePoint& point, const glm::vec2& along,
 
 namespace {
 
-// A line whose samples are seen or hidden, and the edges that hide it.
+// A line, with the visibility of its samples, and the edges that hide it.
 struct SeenLine {
     const Hiding& hiding;
     float halo;
@@ -233,7 +234,7 @@ struct SeenLine {
     [[nodiscard]] bool is_near(std::int64_t i, float reach) const noexcept {
         return hiding.edges.is_near((*this)[i], reach, halo);
     }
-    // How far from an edge splats may hide a sample by mistake.
+    // Returns the distance from an edge within which splats may wrongly hide a sample.
     [[nodiscard]] float reach_of_splats(std::int64_t i) const noexcept {
         const drawing::Tiles& tiles = hiding.drawing.dot_tiles;
         const glm::vec2 at = place((*this)[i]) - glm::vec2(hiding.drawing.first_pixel);
@@ -241,17 +242,18 @@ struct SeenLine {
         const float splat = hiding.largest_splat.empty() ? 0.0F : hiding.largest_splat[static_cast<std::size_t>(tile)];
         return std::min(splat + hatch_tuning.splat_margin, hatch_tuning.farthest_hidden);
     }
-    // Whether splats may hide the sample by mistake.
+    // Returns whether splats may wrongly hide the sample.
     [[nodiscard]] bool may_be_seen(std::int64_t i) const noexcept { return is_near(i, reach_of_splats(i)); }
 };
 
-// Samples from `first` to `end`, half-open, are hidden. Those from `seen` to `first` and from `end` to `next` are seen.
+// Samples from `first` up to, but not including, `end` are hidden. The samples before, from `seen` on, and after, up to
+// `next`, are seen.
 struct Gap {
     std::int64_t seen, first, end, next;
 };
 
-// Whether the gap comes from splats that reach too far, which may be splats of the line's own surface near a crease.
-// Then the line passes no edge there.
+// Returns whether the gap is a mistake of splats: they may belong to the line's own surface near a crease. If so, the
+// line does not pass behind an edge in the gap.
 [[nodiscard]] bool is_mistake(const SeenLine& line, const Gap& gap) noexcept {
     const bool is_short = line.length[gap.end - 1] - line.length[gap.first] <= line.reach_of_splats(gap.first);
     for (std::int64_t i = gap.first; i < gap.end; ++i)
@@ -278,16 +280,16 @@ struct Gap {
     return {};
 }
 
-// Marks samples as seen up to the cut, and as hidden after it.
+// Makes the samples up to the cut seen, and the samples after it hidden.
 void apply(const SeenLine& line, const HatchCut& cut, std::int64_t last, std::int64_t way) noexcept {
-    const std::int64_t end = way > 0 ? cut.before : cut.before + 1; // the last sample that is seen from now on
+    const std::int64_t end = way > 0 ? cut.before : cut.before + 1; // the last seen sample after the change
     const float opacity = line[last].opacity;
     for (std::int64_t i = last; (end - i) * way > 0; i += way) line[i + way].opacity = opacity;
     for (std::int64_t i = last; (i - end) * way > 0; i -= way) line[i].opacity = 0.0F;
 }
 
-// Finds the cuts at both ends of a gap, or closes the gap. Returns where the seen stretch after the gap begins; after a
-// closed gap that is where the stretch before it begins.
+// Finds the cuts at both ends of a gap, or closes the gap. Returns the beginning of the seen part after the gap. For a
+// closed gap, this is the beginning of the seen part before the gap.
 std::int64_t cut_gap(const SeenLine& line, const Gap& gap, base::Array<HatchCut>& cuts) {
     HatchCut ends, begins;
     if (gap.first > gap.seen) ends = search(line, gap.first - 1, 1, (gap.seen + gap.first - 1) / 2, gap.end - 1);

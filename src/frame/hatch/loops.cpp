@@ -12,12 +12,13 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using F = hn::CappedTag<float, HatchRows::slack>; // a vector ends within the rows
+using F = hn::CappedTag<float, HatchRows::slack>; // Vectors are short enough to end within the rows.
 using I = hn::RebindToSigned<F>;
 using W = hn::Vec<F>;
 using M = hn::Mask<F>;
 
-// Products and sums are rounded separately. Fused steps would give other bits on processors that have them.
+// Products and sums are rounded separately, because fused operations exist only on some processors and give different
+// bits.
 HWY_INLINE W set(float x) { return hn::Set(F(), x); }
 HWY_INLINE W dot3(const float* row, W x, W y, W z) {
     return hn::Add(hn::Add(hn::Mul(set(row[0]), x), hn::Mul(set(row[1]), y)), hn::Mul(set(row[2]), z));
@@ -38,12 +39,12 @@ HWY_INLINE W log2(W x) {
     const F d;
     const I i;
     const auto bits = hn::BitCast(i, x);
-    // m lies between the square roots of 1/2 and 2.
+    // m is between the square roots of 1/2 and 2.
     const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(i, 0x3F3504F3)));
     const W m = hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
     const W t = hn::Div(hn::Sub(m, set(1.0F)), hn::Add(m, set(1.0F)));
     const W s = hn::Mul(t, t);
-    // 2 atanh(t) / ln 2, with few steps that depend on each other
+    // 2 atanh(t) / ln 2 as a polynomial. Its operations depend little on each other, which is fast.
     const auto line = [&](float at_0, float rise) HWY_ATTR { return hn::Add(set(at_0), hn::Mul(set(rise), s)); };
     const W square = hn::Mul(s, s);
     const W high = hn::Add(line(0.57707802F, 0.41219858F), hn::Mul(set(0.32059890F), square));
@@ -77,8 +78,8 @@ std::uint32_t may_draw(const HatchBounds& bounds, const float* normals, const fl
     return all;
 }
 
-// The spacing of lines in the picture. It is the height of the image of a parallelogram on the surface, with one side
-// along the line and one across it. With parallel lines of sight that is separation |n . v| / sqrt(1 - (t . v)^2).
+// The spacing of lines in the picture. It is the height of the image of a parallelogram on the surface, whose sides are
+// along the line and across it. If lines of sight are parallel, it is separation |n . v| / sqrt(1 - (t . v)^2).
 HWY_INLINE W spacing_at(const HatchSight& sight, const HatchRows& rows) {
     const F d;
     const ViewTransform& s = *sight.view_transform;
@@ -119,7 +120,7 @@ void project(const HatchSight& sight, const HatchRows& rows, std::int64_t count)
         const W horizontal = hn::Min(hn::Sub(left, set(sight.left)), hn::Sub(set(sight.right), left));
         const W vertical = hn::Min(hn::Sub(top, set(sight.top)), hn::Sub(set(sight.bottom), top));
         const W margin = hn::Add(set(sight.beyond), hn::Min(horizontal, vertical));
-        // All comparisons are false for NaN, so NaN gives hatch_nowhere.
+        // For NaN all comparisons are false, so the result is hatch_nowhere.
         const auto between = [&](W value, float low, float high)
                                  HWY_ATTR { return hn::And(hn::Ge(value, set(low)), hn::Le(value, set(high))); };
         const M valid =
@@ -159,7 +160,7 @@ void coverage(const HatchWidthLaw& law, const float* darkness, std::int64_t coun
 struct LevelWidths {
     W lambda; // how many levels there is room for
     W full, width, fading;
-    W margin; // the fading level is drawn where this is positive, and full where it is 1
+    W margin; // The fading level is drawn where this is positive. It has its full width where this is 1.
 };
 
 // `spacing`: of the lines of level 0 in the picture, pixels; lines of levels 0 to k are 2^k times as close. `gap`: the
@@ -173,10 +174,10 @@ HWY_INLINE LevelWidths widths(const HatchWidthLaw& law, W coverage, W spacing, W
     w.lambda = hn::IfThenElseZero(hn::Gt(room, one), hn::Min(log2(room), set(law.levels)));
     const auto full = hn::ConvertTo(i, w.lambda);
     w.full = hn::ConvertTo(d, full);
-    const W weight = hn::Sub(w.lambda, w.full); // how far the next level has faded in, 0 to 1
+    const W weight = hn::Sub(w.lambda, w.full); // how far the next level has faded in, from 0 to 1
     const W half = hn::BitCast(d, hn::ShiftLeft<23>(hn::Sub(hn::Set(i, 127), full))); // 2^-full
     const W period = hn::Mul(hn::Mul(gap, spacing), half);
-    // A period holds 1 + weight wide lines. Where lines are closer together than asked, they are thinner than the pen.
+    // A period holds 1 + weight wide lines. Lines closer together than requested are thinner than the pen.
     const W lines = hn::Add(one, weight);
     const W ink =
         hn::Min(hn::Mul(coverage, period), hn::Max(hn::Sub(period, hn::Mul(lines, set(law.style->hatch_white))),
@@ -200,7 +201,7 @@ HWY_INLINE void pad_row(float* row, std::int64_t count, bool closed, std::int64_
     }
 }
 
-// Returns the largest of the numbers at most two places away.
+// Returns the largest element at most two places away.
 HWY_INLINE W largest_near(const float* row) {
     const F d;
     const auto pair = [&](std::int64_t away)
@@ -236,7 +237,7 @@ HWY_INLINE void set_width(const HatchSight& sight, const HatchWidthLaw& law, con
     const W rest = hn::Sub(hn::Sub(w.lambda, hn::Sub(level, one)), set(hatch_tuning.thinnest_fading));
     const W margin = hn::IfThenElse(full, one, hn::IfThenElse(fades, w.margin, rest));
     const W width = hn::IfThenElse(full, w.width, hn::IfThenElseZero(fades, w.fading));
-    // The comparison is false for NaN, so NaN counts as turned away.
+    // For NaN the comparison is false, so NaN counts as turned away.
     const M turned = hn::Not(hn::Lt(row(HatchRow::nu), set(hatch_tuning.widest_nu)));
     const M valid =
         hn::And(hn::And(hn::Eq(darkness, darkness), hn::Eq(spacing, spacing)), hn::Lt(width, set(hatch_farthest)));
@@ -273,7 +274,7 @@ void set_widths(const HatchSight& sight, const HatchWidthLaw& law, const HatchRo
     pad_row(rows[HatchRow::least_margin], count, closed, 2, -1.0F);
     for_vectors(count, [&](std::int64_t at) HWY_ATTR {
         const HatchRows own = rows.from(at);
-        // The numbers after the last mark are left over from before, so they must have no effect.
+        // The elements after the last mark are old and must have no effect.
         const M marks = hn::FirstN(d, static_cast<size_t>(count - at < lanes ? count - at : lanes));
         const M near = hn::AndNot(hn::Lt(largest_near(own[HatchRow::least_margin]), hn::Zero(d)), marks);
         if (!hn::AllFalse(d, near)) {

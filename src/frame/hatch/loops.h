@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds where the line of a stroke is drawn and how wide it is, from the marks, on vectors of the processor. All
+// Finds where the line of a stroke is drawn, and its width, from the marks. It uses vectors of the processor, and all
 // instruction sets give the same bits.
 #pragma once
 
@@ -10,20 +10,20 @@
 
 namespace hrbfnpr::frame {
 
-// Rows of numbers. Each row has a number for each mark of a stroke.
+// The rows of numbers for a stroke. Each row has one number for each mark.
 enum class HatchRow : std::int64_t {
-    x, // in the space of the point set, in its unit
+    x, // position in the space of the point set, in its unit
     y,
     z,
     normal_x,
     normal_y,
     normal_z,
-    tone_x, // normals for tone, if the set has them
+    tone_x, // the normals for tone, if the set has separate ones
     tone_y,
     tone_z,
     level,
-    gap,  // the factor by which the lines around the mark are farther apart than was asked for
-    left, // in the picture, pixels
+    gap,  // the factor by which the distance of lines around the mark is larger than requested
+    left, // position in the picture, in pixels
     top,
     window,
     depth,
@@ -45,15 +45,15 @@ enum class HatchRow : std::int64_t {
 };
 
 inline constexpr float hatch_nowhere = -1e30F;
-// Marks farther than this outside the picture, in pixels, count as having no place. So do marks whose lines are wider
-// than this.
+// A mark counts as having no position if it is farther than this outside the picture, in pixels, or if its line is
+// wider than this.
 inline constexpr float hatch_farthest = 1e6F;
 
-// Rows of numbers that can be read and written `slack` numbers beyond their ends.
+// Rows of numbers. `slack` elements beyond their ends may be read and written.
 struct HatchRows {
     static constexpr std::int64_t slack = 16;
 
-    float* first = nullptr; // the first row's number of the first mark
+    float* first = nullptr; // the element for the first mark in the first row
     std::int64_t stride = 0;
 
     [[nodiscard]] float* operator[](HatchRow row) const noexcept {
@@ -62,7 +62,7 @@ struct HatchRows {
     [[nodiscard]] HatchRows from(std::int64_t mark) const noexcept { return {first + mark, stride}; }
 };
 
-// The numbers of the view that decide how marks are seen.
+// The numbers of the view that determine how marks look.
 struct HatchSight {
     const ViewTransform* view_transform;
     float separation;               // between lines of level 0 on the surface; 0: not known
@@ -86,7 +86,7 @@ struct HatchBounds {
 };
 
 struct HatchLoops {
-    // Looks at the normals of at most 32 marks, and at those for tone. Returns a bit for each mark that may be drawn.
+    // Tests the normals of at most 32 marks, and their normals for tone. Returns a bit for each mark that may be drawn.
     std::uint32_t (*may_draw)(const HatchBounds& bounds, const float* normals, const float* tone_normals,
                               std::int64_t count);
     // The share of the paper that lines cover at each darkness.

@@ -111,7 +111,8 @@ void HatchTiles::build(std::span<HatchPoints::Batch> batches, const drawing::Dra
             runs.back().end = i + 1;
         }
     });
-    // Counts are stored two places ahead. Filling moves them back, so that offsets_[tile] is where the tile begins.
+    // Counts are stored two places ahead. Filling moves them back, so that offsets_[tile] is then the beginning of the
+    // tile.
     base::resize_scratch(offsets_, tiles.tiles() + 2);
     std::fill(offsets_.begin(), offsets_.end(), 0);
     for (const HatchPoints::Batch& batch : batches)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds which parts of a line are drawn. Short gaps are closed and short parts are left out, but neither appears or
+// Finds which parts of a line are drawn. Short gaps are closed and short parts are left out, but neither appears nor
 // vanishes suddenly.
 //
 // The presence of a line at a sample is 1 where it is drawn, 0 where it is not, and between where it fades. The held
@@ -17,9 +17,10 @@
 
 namespace hrbfnpr::frame {
 
-// Samples along a line. The last sample of a ring is its first one.
+// Samples along a line. In a ring, the last sample repeats the first.
 struct SampledLine {
-    std::span<const float> length; // distance along the line from the first sample to each, pixels, rising
+    // For each sample: the distance along the line from the first sample, in pixels, in rising order.
+    std::span<const float> length;
     bool ring = false;
 
     [[nodiscard]] std::int64_t size() const noexcept { return static_cast<std::int64_t>(length.size()); }
@@ -42,10 +43,10 @@ struct SampledLine {
     }
 };
 
-// The result of a walk along the line.
+// The result of walking along the line.
 struct HeldLength {
     float length = 0.0F;
-    std::int64_t stopped_at = -1; // the first sample without presence; -1: the walk ended for another reason
+    std::int64_t stopped_at = -1; // The first sample without presence. -1 if the walk ended for another reason.
 };
 
 // Walks from sample i in one direction until the held length is `most`, or nothing holds together any more.
@@ -59,7 +60,7 @@ template <class Presence, class Weight, class EndShare>
     const float own = presence(i);
     if (!(own > 0.0F)) return {0.0F, i};
     HeldLength held;
-    float least = 1.0F; // the least presence up to here, as a share of the presence at sample i
+    float least = 1.0F; // the smallest presence so far, as a share of the presence at sample i
     float before = weight(i);
     for (std::int64_t steps = 0; steps < line.size(); ++steps) {
         float step = 0.0F;
@@ -85,7 +86,7 @@ template <class Presence, class Weight, class EndShare>
         before = after;
         i = k;
     }
-    return held; // the walk went all around a ring
+    return held; // The walk has passed all around a ring.
 }
 
 // Rises from 0 at `from` to 1 at `to`.

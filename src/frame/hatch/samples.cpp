@@ -26,14 +26,14 @@
 namespace hrbfnpr::frame {
 namespace {
 
-// The bounds of a piece may be wrong by these roundings.
+// The allowed rounding error of the bounds of a piece.
 constexpr float rounding_of_margins = 1e-3F;
 constexpr float rounding_of_darkness = 1e-4F;
-constexpr float most_length = 1.01F; // the length of a unit normal, up to rounding
+constexpr float most_length = 1.01F; // The largest length of a unit normal, with rounding.
 
-// The longest image, in pixels, of a length of 1 where w is 1, within `beyond` pixels around the picture. In a
-// projection dx = (row_x - x row_w) . d / w. The largest stretch of this is convex in the place, so it is greatest in a
-// corner.
+// Returns the largest length in pixels that a length of 1 can have in the picture, where w is 1, within `beyond` pixels
+// around the picture. In a projection dx = (row_x - x row_w) . d / w. The largest stretch is a convex function of the
+// position, so it occurs at a corner.
 [[nodiscard]] float largest_stretch(const Lens& lens, float beyond) noexcept {
     const glm::vec4 row = glm::row(lens.window, 3);
     const glm::vec4& v = lens.viewport;
@@ -42,7 +42,7 @@ constexpr float most_length = 1.01F; // the length of a unit normal, up to round
         for (const float y : {v.y - beyond, v.y + v.w + beyond}) {
             const glm::vec3 a(glm::row(lens.window, 0) - x * row);
             const glm::vec3 b(glm::row(lens.window, 1) - y * row);
-            // The root of the largest eigenvalue of the matrix of their products.
+            // This is the largest singular value of the matrix with rows a and b.
             const float half = 0.5F * (glm::dot(a, a) - glm::dot(b, b));
             const float mean = 0.5F * (glm::dot(a, a) + glm::dot(b, b));
             stretch = std::max(stretch, std::sqrt(mean + std::sqrt(half * half + glm::dot(a, b) * glm::dot(a, b))));
@@ -51,7 +51,7 @@ constexpr float most_length = 1.01F; // the length of a unit normal, up to round
     return stretch;
 }
 
-// The data by which the strokes of one run are seen.
+// The data for finding how the strokes of one run look.
 struct RunSight {
     const HatchView& view;
     const Run& run;
@@ -59,7 +59,7 @@ struct RunSight {
     const ItemSight& sight;
     const LayerStyle& style;
     const float* taus;
-    std::int32_t levels;      // the finest level
+    std::int32_t levels;      // the number of the finest level
     double per_unit;          // 1 / the item's unit, a power of two
     const float* tone_normal; // the normals that light is bounded by: the marks' own, or those for tone
     bool has_bounds;          // whether marks can be passed over by their normals
@@ -72,11 +72,11 @@ struct RunSight {
     float stretch = 0.0F;     // the longest image of a length of 1 at the distance 1, pixels
     std::int32_t shown = 255; // the finest level that can be seen from here
     static constexpr std::size_t steps = 16;
-    std::array<float, steps + 1> most_coverage{}; // the largest coverage of all darknesses up to k / steps
+    std::array<float, steps + 1> most_coverage{}; // for each k: the largest coverage for darknesses up to k / steps
 };
 
-// Whether there may be room for lines of a level, if no mark is darker than `darkness` or nearer than `nearest`, a w of
-// the picture's projection.
+// Returns whether there may be space for lines of a level. No mark is darker than `darkness` or nearer than `nearest`,
+// which is a w of the picture's projection.
 bool has_room(const RunSight& v, std::int32_t level, float nearest, float darkness) noexcept {
     if (level <= 1 || !(nearest > 0.0F)) return true;
     const auto step =
@@ -88,8 +88,8 @@ bool has_room(const RunSight& v, std::int32_t level, float nearest, float darkne
 RunSight sight_of_run(const HatchView& view, const Run& run, const ItemSight& sight, const float* taus) noexcept {
     const ItemView& item = view.scene.item_of(run);
     const LayerStyle& style = *run.style;
-    // The step in a layer's report is the separation of its lines, except for published strokes, which lie as they
-    // grew.
+    // A layer's report gives the separation of its lines as the step. Published strokes are an exception: their
+    // distances vary.
     const bool nested =
         run.marks->report.step > 0.0 && (run.marks->progressive || run.marks->kind != marks::Kind::hatch);
     RunSight v{view,
@@ -122,7 +122,7 @@ RunSight sight_of_run(const HatchView& view, const Run& run, const ItemSight& si
     view.loops.coverage(v.law, darkness.data(), RunSight::steps + 1, coverage.data());
     for (std::size_t i = 0; i <= RunSight::steps; ++i)
         v.most_coverage[i] = std::max(coverage[i], i > 0 ? v.most_coverage[i - 1] : 0.0F);
-    // The finest level for which there may be room anywhere on the item inside the picture.
+    // The finest level for which there may be space anywhere on the item, in the picture.
     const glm::vec4 row = glm::row(view.scene.lens.window, 3);
     const float nearest = glm::dot(row, glm::vec4(item.to_eye * item.centre + item.eye_offset, 1.0F)) -
                           glm::length(glm::vec3(row)) * sight.scale * item.radius;
@@ -131,14 +131,14 @@ RunSight sight_of_run(const HatchView& view, const Run& run, const ItemSight& si
     return v;
 }
 
-// Whether a mark of the piece may be drawn. If not, all marks are too light, face away, lie outside, or have a level
-// without room.
+// Returns whether a mark of the piece may be drawn. If not, all of its marks are too light, face away, are outside, or
+// have a level without space.
 bool may_draw_piece(const RunSight& v, const marks::StrokePiece& piece) noexcept {
     if (piece.level > v.shown || faces_away(piece, v.sight)) return false;
     const ClusterView view = view_cluster(piece, v.sight, v.view.scene.lens, v.view.frustum);
     if (view.beyond > v.beyond + rounding_of_margins || view.nu_min > hatch_tuning.last_nu + rounding_of_margins)
         return false;
-    // No mark is darker than `darkness`.
+    // An upper bound for the darkness of the marks.
     const bool is_lit = v.taus == nullptr && v.item.style.tone == Tone::light;
     const float tau = is_lit ? LightTone(v.item.style).least(least_lit(piece, v.sight)) : 0.0F;
     const float darkness = 1.0F - tau + rounding_of_margins;
@@ -146,8 +146,8 @@ bool may_draw_piece(const RunSight& v, const marks::StrokePiece& piece) noexcept
     return !(v.separation > 0.0F) || has_room(v, piece.level, view.nearest, darkness);
 }
 
-// Returns a bit for each mark that may be drawn. At a place p of the ball around c, with the eye e, we have
-// n . (p - e) >= n . (c - e) - |n| r. Where that is positive, the mark faces away.
+// Returns a bit for each mark that may be drawn. For a place p of the ball around c, and the eye e, n . (p - e) >= n .
+// (c - e) - |n| r. If the right side is positive, the mark faces away.
 std::uint32_t marks_that_may(const RunSight& v, const marks::StrokePiece& piece) noexcept {
     HatchBounds bounds{};
     const ViewTransform& view_transform = v.sight.view_transform;
@@ -162,8 +162,8 @@ std::uint32_t marks_that_may(const RunSight& v, const marks::StrokePiece& piece)
     return v.view.loops.may_draw(bounds, v.run.normal + first, v.tone_normal + first, piece.count);
 }
 
-// Finds the places of a stroke, and whether it is closed. A closed stroke's last mark is left out if it lies where the
-// first one does.
+// Finds the range of a stroke's positions, and whether the stroke is closed. If the last mark of a closed stroke
+// coincides with the first, it is left out.
 void find_extent(const RunSight& v, std::int64_t stroke, HatchStroke& seen) noexcept {
     seen.first = v.run.marks->stroke_first[stroke];
     seen.count = std::int64_t{v.run.marks->stroke_first[stroke + 1]} - seen.first;
@@ -186,7 +186,7 @@ void find_extent(const RunSight& v, std::int64_t stroke, HatchStroke& seen) noex
     if (same) --seen.count;
 }
 
-// Finds the pieces that may be drawn. Returns whether there are any.
+// Finds the pieces that may be drawn. Returns whether it finds any.
 bool find_drawn_pieces(const RunSight& v, std::int64_t piece, std::int64_t count, HatchStroke& seen) {
     constexpr std::uint32_t all = ~std::uint32_t{0} >> (32 - marks::StrokePiece::most);
     seen.may_draw.clear();
@@ -197,18 +197,19 @@ bool find_drawn_pieces(const RunSight& v, std::int64_t piece, std::int64_t count
         if (seen.may_draw.back() == 0) continue;
         any = true;
         if (!v.run.marks->stroke_order.empty()) continue;
-        // find_marks() reads the prefetched normals soon.
+        // find_marks() will soon read these normals.
         base::prefetch_many(v.run.normal + 3 * std::int64_t{own.first}, 3 * std::int64_t{own.count});
         if (v.run.has_tone_normals() && v.run.normal == v.run.marks->normal.data())
             base::prefetch_many(v.run.marks->tone_normal.data() + 3 * std::int64_t{own.first},
                                 3 * std::int64_t{own.count});
     }
-    // A wobble needs the numbers of all marks, and an overshoot reaches marks beyond the end of the tone.
+    // A wobble needs the numbers of all marks, and an overshoot needs marks beyond the end of the tone, so all marks
+    // are loaded.
     if (any && v.is_unsteady) std::fill(seen.may_draw.begin(), seen.may_draw.end(), all);
     return any;
 }
 
-// Finds the marks that may be drawn. Returns whether there are any.
+// Finds the marks that may be drawn. Returns whether it finds any.
 bool find_marks(const RunSight& v, std::int64_t piece, HatchStroke& seen) noexcept {
     const bool bounded = v.has_bounds && !v.is_unsteady;
     std::uint32_t any = 0;
@@ -226,8 +227,8 @@ bool find_marks(const RunSight& v, std::int64_t piece, HatchStroke& seen) noexce
     return any != 0;
 }
 
-// Finds the ranges of marks that may be drawn, with the marks around them that their ends, tangents and spacing need.
-// If only a few marks lie between two ranges, they are loaded, too.
+// Finds the ranges of marks to load: the marks that may be drawn, with the neighbours that ends, tangents and spacing
+// need. If only a few marks are between two ranges, these are loaded, too.
 void find_ranges(HatchStroke& seen) {
     const std::int64_t end = seen.first + seen.count;
     const auto add = [&](std::int64_t from, std::int64_t to) {
@@ -255,7 +256,7 @@ void find_ranges(HatchStroke& seen) {
         add(end + std::countr_zero(seen.may_draw[0]) - hatch_tuning.marks_around, end);
 }
 
-// Loads marks at consecutive places.
+// Loads the marks of a range of positions.
 void load_range(const RunSight& v, std::int64_t begin, std::int64_t count, std::uint32_t* numbers,
                 const HatchRows& rows) noexcept {
     const marks::Layer& layer = *v.run.marks;
@@ -263,7 +264,7 @@ void load_range(const RunSight& v, std::int64_t begin, std::int64_t count, std::
     for (std::int64_t i = 0; i < count; ++i)
         numbers[i] = ordered ? static_cast<std::uint32_t>(begin + i) : layer.stroke_order[begin + i];
     const auto mark = [&](std::int64_t i) { return ordered ? begin + i : std::int64_t{numbers[i]}; };
-    const float* const gap = layer.clusters.gap.data(); // NULL: it is not known
+    const float* const gap = layer.clusters.gap.data(); // null if the gaps are not known
     const std::uint8_t* const level = layer.level.data();
     float* const levels = rows[HatchRow::level];
     float* const gaps = rows[HatchRow::gap];
@@ -280,7 +281,7 @@ void load_range(const RunSight& v, std::int64_t begin, std::int64_t count, std::
             z[i] = from[2] * factor * other;
         }
     };
-    // The inverse of some units is too large for a float, so it is split into two factors.
+    // For some units the reciprocal is too large for a float, so it is split into two factors.
     const int exponent = std::ilogb(v.per_unit);
     put(HatchRow::x, v.run.position, std::ldexp(1.0F, exponent / 2), std::ldexp(1.0F, exponent - exponent / 2));
     put(HatchRow::normal_x, v.run.normal, 1.0F, 1.0F);
@@ -313,7 +314,7 @@ void set_darkness(const RunSight& v, std::span<const std::uint32_t> numbers, con
     const DepthTone depth_tone(style, v.view.scene.lens.eye_per_world);
     for (std::int64_t i = 0; depth_tone.is_on && i < count; ++i) darkness[i] *= depth_tone(rows[HatchRow::distance][i]);
     if (v.taus == nullptr) return;
-    // A callback is not asked about marks that face away or are far outside. Such a mark takes the darkness of a
+    // The callback is not asked about a mark that faces away or is far outside. The mark then has the darkness of a
     // neighbour.
     const auto asked = [&](std::int64_t i) {
         return i >= 0 && i < count && rows[HatchRow::nu][i] < 0.0F && rows[HatchRow::picture_margin][i] >= 0.0F;
@@ -322,7 +323,7 @@ void set_darkness(const RunSight& v, std::span<const std::uint32_t> numbers, con
         if (!asked(i)) darkness[i] = asked(i - 1) ? darkness[i - 1] : asked(i + 1) ? darkness[i + 1] : 1.0F;
 }
 
-// Sets widths from the style's radius, for lines whose distance from each other is not known.
+// Sets widths by the style's radius. This is for lines whose distance from each other is not known.
 void set_widths_alone(const RunSight& v, std::span<const std::uint32_t> numbers, const HatchRows& rows) noexcept {
     const auto count = static_cast<std::int64_t>(numbers.size());
     const float* const darkness = rows[HatchRow::darkness];
@@ -343,7 +344,7 @@ void set_widths_alone(const RunSight& v, std::span<const std::uint32_t> numbers,
 
 void see_marks(const RunSight& v, std::span<const std::uint32_t> numbers, const HatchRows& rows, bool closed) noexcept {
     const auto count = static_cast<std::int64_t>(numbers.size());
-    // Sets the place before the first mark and the place after the last mark, which widths need.
+    // Sets the positions before the first mark and after the last one, which the computation of widths reads.
     for (const HatchRow row : {HatchRow::x, HatchRow::y, HatchRow::z}) {
         rows[row][-1] = rows[row][closed ? count - 1 : 0];
         rows[row][count] = rows[row][closed ? 0 : count - 1];
@@ -369,15 +370,15 @@ void see_marks(const RunSight& v, std::span<const std::uint32_t> numbers, const 
     v.view.loops.measure_distances(rows, count, closed);
 }
 
-// Whether the stroke is closed and its first and last marks, which are neighbours, were both loaded.
+// Returns whether the stroke is closed, and both its first and last marks are loaded. These two are neighbours.
 bool has_seam(const HatchStroke& seen) noexcept {
     return seen.closed && seen.range.span().front().begin == seen.first &&
            seen.range.span().back().end == seen.first + seen.count;
 }
 
-// Marks of a gap count as near, too, if the gap is short enough in the picture for the line to continue across it.
-// Where marks were left out, the straight distance counts. In a closed stroke, the marks before the first near one and
-// after the last form one gap.
+// Marks in a gap count as near, too, if the gap is so short in the picture that the line continues across it. Where
+// marks were left out, the straight distance is used. In a closed stroke, the marks before the first near mark and
+// after the last one form one gap.
 void keep_short_gaps(const HatchRows& rows, const HatchStroke& seen) noexcept {
     const std::int64_t count = seen.number.size();
     float* const near = rows[HatchRow::greatest_nearby];
@@ -389,7 +390,7 @@ void keep_short_gaps(const HatchRows& rows, const HatchStroke& seen) noexcept {
     };
     std::int64_t begin = 0; // the first near mark
     while (!is_near(begin)) ++begin;
-    std::int64_t end = count; // the place after the last near mark
+    std::int64_t end = count; // the position after the last near mark
     while (!is_near(end - 1)) --end;
     for (std::int64_t i = begin; i < end; ++i) {
         if (is_near(i)) continue;
@@ -414,7 +415,7 @@ constexpr HatchRow rows_of_mark[] = {
     HatchRow::pixels_per_unit};
 static_assert(offsetof(HatchMark, begins_chain) == sizeof(float) * std::size(rows_of_mark));
 
-// Keeps the near marks. Each gap between them begins a new chain.
+// Keeps the near marks. After each gap, a new chain begins.
 void keep_near(const RunSight& v, const HatchRows& rows, HatchStroke& seen) {
     const std::int64_t count = seen.number.size();
     float* const near = rows[HatchRow::greatest_nearby];
@@ -442,7 +443,8 @@ void keep_near(const RunSight& v, const HatchRows& rows, HatchStroke& seen) {
     }
     const std::int64_t kept = to - seen.mark.data();
     if (has_seam(seen) && is_near(near[0]) && is_near(near[count - 1])) {
-        // The line continues across the seam. It begins after the first gap; without gaps it is a ring.
+        // In a closed stroke, the line continues from the last mark to the first. It begins after the first gap, or is
+        // a ring if there is no gap.
         HatchMark* const first =
             std::find_if(seen.mark.data(), to, [](const HatchMark& m) { return m.begins_chain > 0.0F; });
         seen.ring = first == to;
@@ -456,7 +458,7 @@ void keep_near(const RunSight& v, const HatchRows& rows, HatchStroke& seen) {
     seen.mark.resize(kept + (seen.ring ? 1 : 0));
 }
 
-// Sets the kinds of the line's two ends: an end is open or lies at a crease.
+// Sets the kinds of the line's two ends: open, or at a crease.
 void set_ends(const RunSight& v, HatchStroke& seen) noexcept {
     HRBFNPR_ASSERT(!seen.mark.empty());
     const auto id_at = [&](std::int64_t at) {
@@ -466,7 +468,7 @@ void set_ends(const RunSight& v, HatchStroke& seen) noexcept {
     seen.begins = seen.ends = StrokeEnd::open;
     seen.has_begin = !seen.closed && seen.mark[0].id == id_at(seen.first);
     seen.has_end = !seen.closed && seen.mark.back().id == id_at(last);
-    // Posed marks have moved away from the creases.
+    // Marks in a pose are no longer at the creases.
     if (v.item.lines == nullptr || v.run.is_posed()) return;
     const auto end_at = [&](std::int64_t place, std::int64_t before) {
         const glm::dvec3 end(v.run.position_of(v.run.marks->mark_of(place)));
@@ -478,8 +480,8 @@ void set_ends(const RunSight& v, HatchStroke& seen) noexcept {
     if (seen.has_end) seen.ends = end_at(last, last - 1);
 }
 
-// Fills `seen` with the marks of a stroke, whose first piece has the number `piece`. Returns whether any of the stroke
-// may be drawn.
+// Fills `seen` with the marks of a stroke. `piece` is the number of its first piece. Returns whether any part of the
+// stroke may be drawn.
 bool see_stroke(const RunSight& v, std::int64_t stroke, std::int64_t piece, HatchStroke& seen) {
     const marks::Layer& layer = *v.run.marks;
     const std::int64_t first = layer.stroke_first[stroke];
@@ -511,21 +513,22 @@ bool see_stroke(const RunSight& v, std::int64_t stroke, std::int64_t piece, Hatc
 
 // ---- Samples
 
-// Lengths are multiples of 1 / this, in pixels, so that sums are exact and a chain has the same samples whatever lies
-// before it.
+// Lengths are rounded to multiples of 1 / this, in pixels. Sums are then exact, and the samples of a chain do not
+// depend on other chains.
 constexpr float length_steps = 1024.0F;
 
-// An unsteady hand: how far a line wobbles to the side, and how far it runs past the end of its tone. Both are smooth
-// noise over the numbers of the stroke's marks, so the noise stays in place on the surface from frame to frame. When
-// the eye comes nearer, swings of half the length take over, so that swings keep their length in the picture.
+// An unsteady hand: the line wobbles to the side, and continues beyond the end of its tone. Both are smooth noise as a
+// function of the mark's number, so the noise stays in place on the surface from frame to frame. As the eye comes
+// nearer, swings of half the length replace the old ones, so that the length of swings in the picture stays about the
+// same.
 struct HatchHand {
-    float wobble, overshoot;        // pixels
-    double wobble_level, end_level; // log2 of the length of a swing in marks
+    float wobble, overshoot;        // in pixels
+    double wobble_level, end_level; // log2 of the length of a swing, in marks
     std::uint64_t seed, stroke;
-    std::int64_t around; // how many marks a closed stroke has, after which the noise repeats; else 0
+    std::int64_t around; // for a closed stroke, the number of marks after which the noise repeats; else 0
 };
 
-// `step` is the distance from mark to mark, in pixels.
+// Returns the hand of a stroke. `step` is the distance between marks, in pixels.
 [[nodiscard]] HatchHand hand_of(const LayerStyle& style, std::int64_t stroke, std::int64_t around,
                                 float step) noexcept {
     const auto level_of = [&](float swing) {
@@ -542,8 +545,8 @@ struct HatchHand {
             around};
 }
 
-// Noise in [-1, 1] at a place along the stroke. It mixes uniform cubic B-splines of random numbers for the two lengths
-// of swings around the wanted one. Around a closed stroke each has a whole number of knots.
+// Returns noise in [-1, 1] at a position along the stroke. It blends two uniform cubic B-splines of random numbers,
+// whose swings are next to the wanted length. Around a closed stroke, each spline has a whole number of knots.
 [[nodiscard]] double noise(const HatchHand& hand, double mark, double wanted, std::size_t which) noexcept {
     const auto octave = [&](int level) {
         double between = std::ldexp(1.0, level) / hatch_tuning.knots_of_swing;
@@ -575,12 +578,12 @@ struct HatchHand {
 
 [[nodiscard]] glm::vec2 place_of(const HatchMark& mark) noexcept { return {mark.x, mark.y}; }
 
-// A chain of marks. The length and area of each mark are counted from the first mark.
+// A chain of marks. The length and area of each mark are measured from the first mark.
 struct Marks {
     std::span<const HatchMark> mark;
     const float* length;
     const float* area;
-    const glm::vec2* tangent; // unit length where marks lie evenly
+    const glm::vec2* tangent; // Tangents; they have unit length if marks are evenly spaced.
 
     [[nodiscard]] std::int64_t size() const noexcept { return static_cast<std::int64_t>(mark.size()); }
     [[nodiscard]] const HatchMark& operator[](std::int64_t i) const noexcept {
@@ -592,7 +595,7 @@ struct Marks {
 // A place between mark `mark` and the next one.
 struct MarkPlace {
     std::int64_t mark;
-    float share; // share of the way to the next mark
+    float share; // the share of the way to the next mark
 };
 
 // The point of Hermite's cubic between two marks.
@@ -662,7 +665,7 @@ void add_wobble(const Marks& m, const HatchHand& hand, const MarkPlace& place, d
     sample.y += aside * along.x;
 }
 
-// Fills the scratch of `to` for a chain of marks. The tangents are those of a Catmull-Rom curve.
+// Computes lengths, areas and tangents of a chain of marks. The tangents are those of a Catmull-Rom curve.
 void measure(std::span<const HatchMark> marks, bool ring, HatchSamples& to) {
     const auto count = static_cast<std::int64_t>(marks.size());
     HRBFNPR_ASSERT(count >= 2);
@@ -687,13 +690,13 @@ void measure(std::span<const HatchMark> marks, bool ring, HatchSamples& to) {
     }
 }
 
-// Margins up to which a line fades (presence.h). It does not fade at the border of the picture.
+// Below these margins a line fades (presence.h). It does not fade at the border of the picture.
 constexpr std::array<float, hatch_margins> ramps = {hatch_tuning.tone_ramp, hatch_tuning.level_ramp,
                                                     hatch_tuning.rim_ramp, 0.0F};
 static_assert(margin_tone == 0 && margin_level == 1 && margin_rim == 2);
 
-// A bit for each margin of a mark that is below 0 and, from `below_ramp` on, for each that is below its ramp.
-// Neighbours mostly have the same bits, and then no presence turns between them.
+// Bits of a mark's state. The lower bits tell which margins are below 0, and the bits from `below_ramp` on tell which
+// are below their ramps. Neighbours usually have the same bits; the presence then does not turn between them.
 constexpr unsigned below_ramp = hatch_margins;
 
 [[nodiscard]] std::uint8_t state_of(const HatchMark& mark) noexcept {
@@ -705,7 +708,7 @@ constexpr unsigned below_ramp = hatch_margins;
     return static_cast<std::uint8_t>(state);
 }
 
-// Whether a line is weakly present at a mark, and weaker there than at the marks on either side.
+// Returns whether a line is present at a mark, but fades there more than at both neighbours.
 [[nodiscard]] bool is_weakest(const Marks& m, std::int64_t i, std::uint8_t state) noexcept {
     if ((unsigned{state} >> below_ramp & ~unsigned{state} & ((1U << hatch_margins) - 1U)) == 0) return false;
     for (std::size_t k = 0; k < hatch_margins; ++k) {
@@ -749,13 +752,13 @@ struct MarginCrossings {
     return turns;
 }
 
-// Finds where the line is sampled, as lengths from the chain's first mark: at even steps, where its presence turns, and
-// where it is weakest.
+// Finds the positions at which the line is sampled, as lengths from the chain's first mark: at even steps, where its
+// presence turns, and where it is weakest.
 void place_samples(const Marks& m, std::int64_t steps, HatchSamples& to) {
     const float whole = m.length[m.size() - 1];
     to.at.clear();
     to.ends.clear();
-    std::int64_t next = 0; // the next even step to take
+    std::int64_t next = 0; // the next even step
     const auto step_at = [&](std::int64_t k) {
         return k < steps ? whole * (static_cast<float>(k) / static_cast<float>(steps)) : whole;
     };
@@ -764,7 +767,7 @@ void place_samples(const Marks& m, std::int64_t steps, HatchSamples& to) {
             to.at.push_back(length);
             to.ends.push_back(ends);
         } else if (ends != 0) {
-            to.at.back() = length; // where the line ends it is sampled exactly
+            to.at.back() = length; // The end of the line is an exact sample.
             to.ends.back() |= ends;
         }
     };
@@ -791,13 +794,13 @@ void place_samples(const Marks& m, std::int64_t steps, HatchSamples& to) {
     } else if (to.at.back() < whole) {
         put(whole, 0);
     }
-    if (to.at.size() < 2) { // a line of no length
+    if (to.at.size() < 2) { // The line has no length.
         to.at.push_back(whole);
         to.ends.push_back(0);
     }
 }
 
-// Adds the samples of a chain. `first_mark` is the number of the chain's first mark along the stroke.
+// Adds the samples of a chain. `first_mark` is the number along the stroke of the chain's first mark.
 void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark, HatchSamples& to) {
     const float whole = m.length[m.size() - 1];
     const auto steps = std::max<std::int64_t>(static_cast<std::int64_t>(std::ceil(whole / hatch_tuning.step)), 1);
@@ -809,7 +812,7 @@ void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark
     MarkPlace place{0, 0.0F};
     MarkPlace edge{0, 0.0F}; // the end of the stretch over which a sample's width is averaged
     const float half_step = 0.5F * whole / static_cast<float>(steps);
-    float last = 0.0F; // the length up to the last edge, and the area up to it
+    float last = 0.0F; // the length and the area up to the last edge
     float last_area = 0.0F;
     const auto area_at = [&](float length) {
         if (std::abs(length - last) < hatch_tuning.least_step) return last_area;
@@ -829,23 +832,23 @@ void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark
         if (hand.overshoot > 0.0F)
             sample.overshoot =
                 hand.overshoot * static_cast<float>(std::clamp(0.5 + noise(hand, mark, hand.end_level, 1), 0.0, 1.0));
-        // From one mark to the next a width may change by much, and samples lie elsewhere in the next frame. So a width
-        // is the mean over a step around the sample.
+        // The width of a sample is the mean over a step around it. Otherwise widths would flicker between frames,
+        // because widths vary from mark to mark and samples move.
         const float reach = std::min({half_step, at[i], whole - at[i]});
-        if (!(reach > 0.0F)) continue; // at the ends the width is that of the mark there
+        if (!(reach > 0.0F)) continue; // At the ends, the width is that of the mark there.
         const float area = area_at(at[i] - reach);
         sample.width = 0.5F * (area_at(at[i] + reach) - area) / reach;
     }
 }
 
-// Appends the chains of stroke `number`.
+// Appends the chains of the stroke with the number `number`.
 void sample_stroke(const LayerStyle& style, std::int64_t number, const HatchStroke& stroke, HatchSamples& to) {
     const std::span<const HatchMark> marks = stroke.mark.span();
     std::size_t end = 0;
     for (std::size_t begin = 0; begin < marks.size(); begin = end) {
         end = begin + 1;
         while (end < marks.size() && !(marks[end].begins_chain > 0.0F)) ++end;
-        if (end - begin < 2) continue; // a single mark is no line
+        if (end - begin < 2) continue; // A single mark is no line.
         const std::span<const HatchMark> own = marks.subspan(begin, end - begin);
         measure(own, stroke.ring, to);
         HatchChain chain;

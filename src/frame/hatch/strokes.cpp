@@ -18,7 +18,8 @@ using drawing::StrokePoint;
 
 namespace {
 
-// Distances from a tip at which points are added, in pixels. They are close, since the width changes like a root there.
+// The distances from a tip at which points are added, in pixels. They are small, because the width changes like a
+// square root near the tip.
 constexpr std::array<float, 3> tip_points = {0.3F, 1.25F, hatch_tuning.tip_reach};
 
 // The directions from a point in which its line may go on, which are those that pass near enough to all points since.
@@ -53,16 +54,16 @@ struct AllowedSlopes {
     }
 
     StrokePoint from;
-    std::array<float, 3> least, most; // slopes
+    std::array<float, 3> least, most; // the least and the largest slopes
 };
 
-// The width of a line at a distance from its end, as a share of its full width. A quarter of an ellipse would be
-// blunter.
+// Returns the width of a line at a distance from its end, as a share of its full width. It is sharper than a quarter of
+// an ellipse.
 [[nodiscard]] float narrowed(float from_end, float taper) noexcept {
     return from_end < taper ? std::sqrt(std::max(from_end, 0.0F) / taper) : 1.0F;
 }
 
-// The presences of one chain. Each is a row with a number for each sample.
+// The presences and other rows of a chain. Each row has a number for each sample.
 enum Presence : std::size_t {
     by_tone = margin_tone,
     by_level = margin_level,
@@ -72,8 +73,8 @@ enum Presence : std::size_t {
     total,
     scratch,
     beyond_tone,
-    full_width, // the line's width; all widths above a limit count alike
-    filling, // the factor by which the line's length counts; a line of a level that is still fading in counts for less
+    full_width, // the width of the line; all widths above a limit count as this limit
+    filling,    // the weight of the line's length; it is smaller for a level that is still fading in
     presences
 };
 
@@ -99,8 +100,8 @@ public:
     void operator()() {
         find_presences();
         if (std::none_of(row(by_tone), row(by_tone) + size(), [](float p) { return p > 0.0F; })) return;
-        // Gaps of tone that are no longer than the line is wide look like mistakes. A line that lacks room has no
-        // width, so no gap is seen there.
+        // Gaps of tone no longer than the line's width look like mistakes, so they are closed. Where a level has no
+        // space, the line has no width, and no gap is visible.
         close_gaps(by_tone, [&](std::int64_t i) {
             const float most = std::max(hatch_tuning.least_gap * sample(i).width, hatch_tuning.least_gap_pixels);
             return std::pair(0.5F * most, most);
@@ -140,8 +141,8 @@ private:
         for (std::int64_t i = 0; i < size(); ++i) row(by_hiding)[i] = is_seen(i) ? 1.0F : 0.0F;
     }
 
-    // Lets the line run on past the end of its tone, like a quick hand. `left` is how far it goes beyond the last
-    // sample that it reaches.
+    // Extends the line beyond the end of its tone, as a quick hand does. `left` is the rest of the length beyond the
+    // last sample that is reached.
     void overshoot() {
         float* const tone = row(by_tone);
         float* const left = row(beyond_tone);
@@ -152,7 +153,7 @@ private:
                 float step = 0.0F;
                 std::int64_t k = line_.next(i, way, step);
                 if (k < 0 || tone[k] > 0.0F) continue;
-                float most = sample(k).overshoot; // k is where the tone ends
+                float most = sample(k).overshoot; // The tone ends at sample k.
                 for (std::int64_t steps = 0; steps < size() && k >= 0 && !(tone[k] > 0.0F) && most > 0.0F; ++steps) {
                     tone[k] = 1.0F;
                     const std::int64_t last = k;
@@ -164,8 +165,8 @@ private:
         }
     }
 
-    // The share of the way from sample j to its neighbour k at which the line ends for a reason. The reason lets the
-    // line be drawn at j, but not at k.
+    // Returns the share of the way from sample j to its neighbour k at which the line ends for a reason. By this
+    // reason, the line is drawn at j but not at k.
     [[nodiscard]] float end_share(Presence reason, std::int64_t j, std::int64_t k) const noexcept {
         if (reason == by_hiding) {
             const std::int64_t before = std::min(j, k);
@@ -185,7 +186,7 @@ private:
         const float to = sample(k).margin[reason];
         return from > 0.0F && to < 0.0F ? from / (from - to) : from > 0.0F ? 1.0F : 0.0F;
     }
-    // The least share of all reasons.
+    // Returns the smallest share over all reasons.
     [[nodiscard]] float end_share(std::int64_t j, std::int64_t k) const noexcept {
         float share = 1.0F;
         for (const Presence reason : {by_tone, by_level, by_rim, by_picture, by_hiding})
@@ -193,7 +194,7 @@ private:
         return share;
     }
 
-    // The length on either side of sample i that holds together, up to `most` on each side.
+    // Returns the held length around sample i, at most `most` on each side.
     template <class Of, class Weight, class Share>
     [[nodiscard]] float held_around(std::int64_t i, float most, float beyond, const Of& presence, const Weight& weight,
                                     const Share& share) const noexcept {
@@ -202,15 +203,15 @@ private:
     }
     static float unit_weight(std::int64_t) noexcept { return 1.0F; }
 
-    // Closes the gaps of a reason that are shorter than limit(i).first. Gaps up to limit(i).second are partly open, so
-    // that gaps open gradually.
+    // Closes gaps that a reason makes, if they are shorter than limit(i).first. Gaps shorter than limit(i).second are
+    // partly open, so that gaps do not open suddenly.
     template <class Limit>
     void close_gaps(Presence reason, const Limit& limit) {
         float* const p = row(reason);
         float* const closed = row(scratch);
         std::copy_n(p, size(), closed);
         const auto absence = [&](std::int64_t k) { return p[k] > 0.0F ? 0.0F : 1.0F; };
-        // The gap begins where the line ends.
+        // The gap begins at the end of the line.
         const auto share = [&](std::int64_t j, std::int64_t k) { return 1.0F - end_share(reason, k, j); };
         for (std::int64_t i = 0; i < size(); ++i) {
             if (p[i] > 0.0F) continue;
@@ -220,8 +221,8 @@ private:
         std::copy_n(closed, size(), p);
     }
 
-    // Closes short hidden gaps, where a contour and its halo end. Leaves out short parts between two hidden parts,
-    // because such parts lie in the halo of a contour along which they run.
+    // Closes short hidden gaps at the end of a contour and its halo. Leaves out short parts between hidden parts,
+    // because they are in the halo of a contour beside them.
     void close_hidden() {
         float* const p = row(by_hiding);
         if (std::all_of(p, p + size(), [](float seen) { return seen == 1.0F; })) return;
@@ -231,7 +232,7 @@ private:
         });
         const float shortest = hatch_tuning.shortest_between_hidden * style_.hatch_shortest;
         if (!(shortest > 0.0F)) return;
-        float* const kept = row(scratch); // holds the presences from before
+        float* const kept = row(scratch); // a copy of the presences before the change
         const auto seen = [&](std::int64_t k) { return p[k]; };
         const auto share = [&](std::int64_t j, std::int64_t k) { return end_share(by_hiding, j, k); };
         for (std::int64_t i = 0; i < size(); ++i)
@@ -241,15 +242,16 @@ private:
         std::copy_n(kept, size(), p);
     }
 
-    // The share of the width that is left. It depends on how far a gap is closed, and on how much of the line is seen.
+    // Returns the share of the width that remains. It depends on how far a gap is closed, and on how much of the line
+    // is seen.
     [[nodiscard]] float ink(std::int64_t i) const noexcept {
         const float tone = sample(i).margin[margin_tone] > 0.0F ? 1.0F : row(by_tone)[i];
         return std::min(tone, row(by_hiding)[i]);
     }
 
-    // Leaves out short parts. A part's length counts less where it is thinner than at the sample, since a hairline that
-    // joins it changes little. From half a pen on, all widths count alike. Lines between others that have hardly any
-    // room count less, too.
+    // Leaves out short parts. Where a part is thinner than at the sample, its length counts less, because connecting it
+    // by a hairline hardly matters. Above half a pen, all widths count the same. Lines with hardly any space between
+    // others count less, too.
     void leave_out_short() {
         const float shortest = style_.hatch_shortest;
         float* const p = row(total);
@@ -267,11 +269,11 @@ private:
                 std::lerp(hatch_tuning.length_of_filling, 1.0F, std::clamp(sample(i).margin[margin_level], 0.0F, 1.0F));
         }
         const auto presence = [&](std::int64_t k) { return p[k]; };
-        // A presence that fades counts for half of the way to where it ends.
+        // From the point where the presence begins to fade to its end, half of the length counts.
         const auto share = [&](std::int64_t j, std::int64_t k) { return 0.5F * end_share(j, k); };
         const float most = 2.0F * shortest;
         const auto is_solid = [&](std::int64_t k) { return p[k] == 1.0F && width[k] == full && level[k] == 1.0F; };
-        std::int64_t solid = 0; // the end of the last stretch that is long enough alone
+        std::int64_t solid = 0; // the end of the last stretch that is long enough without others
         for (std::int64_t i = 0; i < size(); ++i) {
             if (i >= solid && is_solid(i)) {
                 std::int64_t last = i;
@@ -286,8 +288,8 @@ private:
             if (length < most) length += held_length(line_, i, -1, most, 0.0F, presence, weight, share).length;
             kept[i] = ramp_between(length, shortest, most);
         }
-        // A fading stretch is kept no more than the stronger stretch beside it, so that a part is drawn from end to end
-        // or not at all.
+        // A fading stretch gets at most the presence of the stronger stretch beside it, so that a part is drawn
+        // entirely or not at all.
         for (const int way : {-1, 1}) {
             std::int64_t i = way > 0 ? 0 : size() - 1;
             for (std::int64_t steps = 0; steps < (chain_.ring ? 2 : 1) * size(); ++steps) {
@@ -332,28 +334,28 @@ private:
         return lengths > 0.0F ? std::abs(glm::dot(chord, across)) / lengths : 0.0F;
     }
 
-    // The taper where the stroke itself ends.
+    // Returns the length of the taper at an end of the stroke.
     [[nodiscard]] float taper(StrokeEnd end, float width) const noexcept {
         const float blunt = hatch_tuning.blunt_taper * style_.hatch_taper;
         return end == StrokeEnd::crease ? std::min(hatch_tuning.round_tip * width, blunt) : blunt;
     }
 
-    // The presence of a reason, as far as it narrows the line. Fading near a contour does not narrow it: a line that
-    // crosses the contour keeps its full width.
+    // Returns how far a reason narrows the line. Fading near a contour does not narrow it: a line across the contour
+    // keeps its full width.
     [[nodiscard]] float tapering(Presence reason, std::int64_t i) const noexcept {
         const float p = row(reason)[i];
         const bool fades = reason == by_level || reason == by_hiding || sample(i).margin[reason] <= 0.0F;
         return fades ? p : 1.0F;
     }
-    // The longest taper of a reason.
+    // Returns the longest taper of a reason.
     [[nodiscard]] float longest_taper(Presence reason) const noexcept {
         return reason == by_hiding ? hatch_tuning.hidden_taper
                : reason == by_tone ? style_.hatch_taper
                                    : hatch_tuning.blunt_taper * style_.hatch_taper;
     }
 
-    // Sets a bit of each sample for each reason that may narrow the line there. Most samples lie far from where a line
-    // ends or fades.
+    // Sets for each sample a bit for each reason that may narrow the line there. Most samples are far from all ends of
+    // the line.
     void find_near() {
         base::resize_scratch(part_.near, size());
         std::uint8_t* const near = part_.near.data();
@@ -366,7 +368,7 @@ private:
                 if (tapering(reason, i) == 1.0F) continue;
                 near[i] = static_cast<std::uint8_t>(near[i] | bit);
                 for (const int way : {1, -1}) {
-                    float length = 0.0F; // the length since the last place before sample i where the line may end
+                    float length = 0.0F; // the length from the last place where the line may end to sample i
                     float step = 0.0F;
                     std::int64_t k = line_.next(i, way, step);
                     for (std::int64_t steps = 0;
@@ -380,7 +382,7 @@ private:
         }
     }
 
-    // The width of the line at sample i as a share of its full width, by the distance from the ends.
+    // Returns the width at sample i as a share of its full width, by the distances from the ends.
     [[nodiscard]] float profile(std::int64_t i) const noexcept {
         float least = 1.0F;
         for (const Presence reason : {by_tone, by_level, by_rim, by_hiding}) {
@@ -405,13 +407,13 @@ private:
         return least;
     }
 
-    // Returns the width at the place where the line ends between samples j and k, as a share of its full width. Samples
-    // do not see tapers that are shorter than a pixel.
+    // Returns the width at the end of the line between samples j and k, as a share of its full width. Samples alone
+    // would miss tapers shorter than a pixel.
     [[nodiscard]] float profile_at_end(std::int64_t j, std::int64_t k, int way) const noexcept {
         float longest = -1.0F;
         for (const Presence reason : {by_tone, by_level, by_rim, by_picture, by_hiding})
             if (row(reason)[j] > 0.0F && !(row(reason)[k] > 0.0F)) longest = std::max(longest, taper(reason, k, way));
-        if (longest < 0.0F) return 0.0F; // the line continues, but too short a stretch of it is drawn
+        if (longest < 0.0F) return 0.0F; // The line continues, but the drawn part is too short.
         return 1.0F - std::min(longest, 1.0F);
     }
 
@@ -423,7 +425,7 @@ private:
         for (const Presence reason : {by_tone, by_level, by_rim, by_hiding})
             ends_by_[reason] = !std::all_of(row(reason), row(reason) + size(), is_drawn);
         find_near();
-        std::int64_t start = 0; // a sample in a gap, if a ring has one
+        std::int64_t start = 0; // a sample of the ring that is in a gap, if there is one
         bool whole = chain_.ring;
         for (std::int64_t i = 0; chain_.ring && i < size(); ++i) {
             if (is_drawn(p[i])) continue;
@@ -431,7 +433,7 @@ private:
             whole = false;
             break;
         }
-        const std::int64_t around = size() - 1; // the number of samples of a ring
+        const std::int64_t around = size() - 1; // the number of samples in the ring
         const bool turned = chain_.ring && !whole;
         order_ = {turned ? start : 0, turned ? around : 0};
         const std::int64_t count = turned ? around + 1 : size();
@@ -443,7 +445,7 @@ private:
         }
     }
 
-    // Consecutive samples, by their places in the order, and whether the line ends before and after them.
+    // Consecutive samples, given by their positions in the order, and whether the line ends before and after them.
     struct Part {
         std::int64_t first, last;
         bool ends_before, ends_after;
@@ -473,7 +475,7 @@ private:
             for (std::size_t k = tip_points.size(); k-- > 0;)
                 points.push_back(tip_point(whole - tip_points[k], whole - hatch_tuning.tip_reach, tip_points[k]));
         points.push_back(raw().back());
-        // The first point from a tip is narrow, however wide the line is.
+        // Near a tip, even the point of a wide line is narrow.
         const float widest = 0.5F * hatch_tuning.widest_tip * style_.hatch_pen;
         if (begins_in_tip) points[stroke.first + 1].radius = std::min(points[stroke.first + 1].radius, widest);
         if (ends_in_tip) points[points.size() - 2].radius = std::min(points[points.size() - 2].radius, widest);
@@ -486,13 +488,13 @@ private:
 
     [[nodiscard]] base::Array<StrokePoint>& raw() const noexcept { return part_.raw; }
 
-    // Fills raw() with a point for each sample of the part, and one where it ends on either side.
+    // Fills raw() with a point for each sample of the part, and a point at each end of the line.
     void take_points(const Part& drawn) {
         base::Array<StrokePoint>& points = part_.raw;
         points.clear();
         float opacity = 1.0F;
         for (std::int64_t k = drawn.first; k <= drawn.last; ++k) {
-            if (!is_seen(order_[k])) continue; // the line continues across a hidden sample
+            if (!is_seen(order_[k])) continue; // The line continues across a hidden sample.
             opacity = dot(order_[k]).opacity;
             break;
         }
@@ -517,12 +519,12 @@ private:
              {&StrokePoint::x, &StrokePoint::y, &StrokePoint::opacity, &StrokePoint::depth, &StrokePoint::window,
               &StrokePoint::pixels_per_unit, &StrokePoint::length})
             point.*number = mixed(a.*number, b.*number);
-        // The squares of radii change evenly, as they do near an end.
+        // Squares of radii are interpolated, because near an end they change linearly.
         point.radius = std::sqrt(mixed(a.radius * a.radius, b.radius * b.radius));
         return point;
     }
 
-    // The point where the line ends between sample j, which is drawn, and k, which is not.
+    // Returns the point at the end of the line, between sample j, which is drawn, and sample k, which is not.
     [[nodiscard]] StrokePoint end_point(std::int64_t j, std::int64_t k, int way, float opacity) const noexcept {
         const auto point = [&](const Dot& d) {
             return StrokePoint{d.x, d.y, 0.0F, opacity, d.depth, d.window, d.pixels_per_unit, 0.0F, d.id};
@@ -540,14 +542,15 @@ private:
         return between(a, *next, way > 0.0F ? std::clamp((length - a.length) / way, 0.0F, 1.0F) : 0.0F);
     }
 
-    // The point at `length` near a tip. Widths follow a root that is 0 at the tip and fits the line's width at `full`.
+    // Returns the point at `length`, near a tip. The width is a square root that is 0 at the tip and equals the line's
+    // width at `full`.
     [[nodiscard]] StrokePoint tip_point(float length, float full, float from_tip) const noexcept {
         StrokePoint point = raw_at(length);
         point.radius = raw_at(full).radius * std::sqrt(from_tip / hatch_tuning.tip_reach);
         return point;
     }
 
-    // Narrows a line so that it does not cover an edge that it runs along.
+    // Narrows a line where it would cover an edge beside it.
     void keep_within_edges(std::int64_t first) noexcept {
         if (hiding_.edges.empty()) return;
         base::Array<StrokePoint>& points = part_.made.points;
@@ -559,7 +562,7 @@ private:
         }
     }
 
-    // Leaves out points that lie between their neighbours, since fewer points make fewer edges to draw.
+    // Leaves out points that are on the line between their neighbours. This makes fewer segments to draw.
     void leave_out(std::int64_t first, std::int64_t last) {
         base::Array<StrokePoint>& points = part_.made.points;
         std::int64_t kept = first;
@@ -580,7 +583,7 @@ private:
     // The order in which samples are drawn. The order of a ring begins in a gap.
     struct SampleOrder {
         std::int64_t start = 0;
-        std::int64_t around = 0; // the number of samples of a ring that is turned; else 0
+        std::int64_t around = 0; // the number of samples in a ring whose order is rotated; else 0
 
         [[nodiscard]] std::int64_t operator[](std::int64_t k) const noexcept {
             return around > 0 ? (start + k) % around : k;

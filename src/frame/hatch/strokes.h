@@ -25,7 +25,7 @@ namespace hrbfnpr::frame {
 //    hatching.
 // 3. `find_cuts` moves each place where a line begins or ends to the edge, or to the border of the edge's halo.
 
-// A segment of a line that nothing hides.
+// A segment of a visible line, which may hide hatching beyond it.
 struct NearerEdge {
     glm::vec2 a, b;
     float depth_a, depth_b;
@@ -36,18 +36,18 @@ class NearerEdges {
 public:
     explicit NearerEdges(base::Memory& memory) noexcept : edges_(memory), first_(memory), numbers_(memory) {}
 
-    // Takes the edges of all strokes that nothing hides. `picture` is left, top, width and height, in pixels.
+    // Takes the edges of all strokes that are visible. `picture` is left, top, width and height in pixels.
     void build(const LineStrokes& lines, std::span<const drawing::Layer> layers, const glm::vec4& picture);
     void clear() noexcept { edges_.clear(); }
     [[nodiscard]] bool empty() const noexcept { return edges_.empty(); }
 
-    // Whether an edge that lies before the dot is within `reach` of the dot, or the edge's halo holds the dot. If the
-    // dot's own surface is slanted, its edges count, too.
+    // Returns whether an edge before the dot is within `reach` of it, or has a halo that contains the dot. If the dot's
+    // own surface is slanted, its edges count, too.
     [[nodiscard]] bool is_near(const drawing::Dot& dot, float reach, float halo) const noexcept;
 
     static constexpr float nowhere = std::numeric_limits<float>::infinity();
-    // The share of the way from a to b at which the line enters the first edge before it, or the edge's halo; else
-    // `nowhere`. Edges whose halo holds a do not count.
+    // Returns the share of the way from a to b at which the line reaches the first edge before it or the edge's halo,
+    // or `nowhere`. Edges whose halo contains a are ignored.
     [[nodiscard]] float entry(const drawing::Dot& a, const drawing::Dot& b, float halo) const noexcept;
 
     // The largest radius, up to `radius`, with which a line through the point in the direction `along` covers no edge
@@ -58,7 +58,7 @@ public:
     [[nodiscard]] std::int64_t bytes() const noexcept { return edges_.bytes() + first_.bytes() + numbers_.bytes(); }
 
 private:
-    // The half-open rectangle of cells around a box: left, top, right, bottom.
+    // Returns the half-open rectangle of cells around a box: left, top, right, bottom.
     [[nodiscard]] glm::ivec4 cells(const glm::vec2& low, const glm::vec2& high) const noexcept;
     template <class F>
     void for_cells_of(const NearerEdge& edge, const F& f) const;
@@ -68,26 +68,26 @@ private:
     glm::vec2 corner_{0.0F};
     std::int32_t columns_ = 0, rows_ = 0;
     base::Array<NearerEdge> edges_;
-    base::Array<std::int32_t> first_;   // the first place in `numbers_` for each cell, and the end
-    base::Array<std::int32_t> numbers_; // the edges in each cell, cell by cell
+    base::Array<std::int32_t> first_;   // for each cell: the index in `numbers_` where its edges begin; and the end
+    base::Array<std::int32_t> numbers_; // the numbers of the edges in each cell, cell by cell
 };
 
 struct Hiding {
     const NearerEdges& edges;
     const drawing::Drawing& drawing;
-    std::span<const float> largest_splat; // in each tile of the drawing's dots, pixels; empty if there are no splats
+    // The radius of the largest splat in each tile of the drawing's dots, in pixels. Empty if there are no splats.
+    std::span<const float> largest_splat;
 };
 
-// Finds the cuts of a line, in the line's order. `dots` are the line's samples, seen or hidden, and `length` is the
-// distance along the line to each, in pixels. Samples between the end that the dots gave and the exact end become seen
-// or hidden.
+// Finds the exact cuts of a line, in order along the line. `dots` are the line's samples, seen or hidden, and `length`
+// is the distance along the line to each, in pixels. The visibility of samples near a cut is corrected.
 void find_cuts(const Hiding& hiding, float halo, std::span<drawing::Dot> dots, const base::Array<float>& length,
                base::Array<HatchCut>& cuts);
 
 // ---- Strokes
 
-// Makes the strokes of each batch. The dots of the batch are not drawn any more, and the drawing's counts, which took
-// the dots for marks, are corrected.
+// Makes the strokes of each batch. The dots of the batch are then no longer drawn. The drawing's counts, which counted
+// dots as marks, are corrected.
 void make_strokes(const base::Runtime& runtime, const Scene& scene, const Hiding& hiding,
                   std::span<HatchPoints::Batch> batches, drawing::Drawing& drawing);
 

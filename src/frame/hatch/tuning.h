@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of hatching on the screen. Tuned on a ramp, a sphere, a torus, knots, a head and a bunny, by
-// `scripts/bench strokes`.
+// The tuning constants of hatching on the screen. Tuned with `scripts/bench strokes` on a ramp, a sphere, a torus,
+// knots, a head and a bunny.
 #pragma once
 
 #include <cstdint>
@@ -10,38 +10,37 @@ namespace hrbfnpr::frame {
 struct HatchTuning {
     // ---- The width law
 
-    // A line of a level that fades in is drawn where the law gives it at least this width, in pens. Larger: levels come
-    // in later and are more visible when they do.
+    // A line of a level that fades in is drawn if its computed width is at least this, in pens. Larger: levels come in
+    // later and are more visible when they do.
     float thinnest_fading = 0.5F;
-    // A line that fades in has its whole width where the law gives it this much more than `thinnest_fading`, in pens.
-    // Until then, the full lines get the missing width. Larger: levels come in more slowly.
+    // A line that fades in has its full width if its computed width exceeds `thinnest_fading` by this, in pens. Until
+    // then, the other lines are wider instead. Larger: levels come in more slowly.
     float fading_ramp = 0.25F;
-    // From this weight on, from 0 to 1, the margin of a level that fades in rises to that of a full line. Larger: a
-    // steeper change at the end.
+    // Above this weight, from 0 to 1, the margin of a level that fades in rises to the margin of a full level. Larger:
+    // a steeper change at the end.
     float nearly_full = 0.6F;
 
     // ---- Where a line is drawn
 
     // Lines end where n . v rises above this, just before the contour. Nearer 0: lines end closer to the contour, where
-    // they run together.
+    // they merge.
     float last_nu = -0.03F;
-    // Marks with n . v above this have no width. Larger: more marks are worked on.
+    // Marks with n . v above this have no width. Larger: more marks are processed.
     float widest_nu = 0.2F;
-    // A line is fully present where it is this much darker than where lines begin. Below, it fades, and holds the parts
-    // on either side together less. Larger: ends are softer where the tone changes slowly.
+    // A line is fully present where it is darker by this than the tone at which lines begin. With less darkness it
+    // fades, and connects the parts on its two sides less. Larger: ends are softer where the tone changes slowly.
     float tone_ramp = 0.03F;
-    // The margin of its level up to which a line fades. Larger: levels with hardly any room change more of the lines
-    // beside them.
+    // A line fades if the margin of its level is below this. Larger: levels with hardly any space change more of the
+    // lines beside them.
     float level_ramp = 0.8F;
 
-    // The range of n . v over which a line fades towards the contour. Larger: lines that run along a contour are more
-    // broken there.
+    // Towards the contour, a line fades over this range of n . v. Larger: lines along a contour are more broken there.
     float rim_ramp = 0.05F;
 
     // ---- Gaps and short parts
 
-    // Gaps shorter than half of this are closed, in widths; longer ones open gradually up to this. Larger: fewer and
-    // longer lines.
+    // Gaps shorter than half of this are closed, in line widths. From there up to this, they open gradually. Larger:
+    // fewer and longer lines.
     float least_gap = 2.0F;
     // `least_gap` is never less than this, in pixels, however thin the line is. Larger: lines cross small spots of
     // light.
@@ -56,7 +55,7 @@ struct HatchTuning {
     // Where short parts are left out, a line between others with hardly any room counts as this share of its length.
     // Smaller: fewer short lines between long ones.
     float length_of_filling = 1.0F / 3.0F;
-    // Widths above this many pens count alike in a part's length. Larger: thin parts must be longer.
+    // In the length of a part, widths above this many pens count the same. Larger: thin parts must be longer.
     float full_width = 0.5F;
 
     // ---- Tapers
@@ -67,7 +66,7 @@ struct HatchTuning {
     // A line's end at a crease rounds off over this many widths, since the face is dark up to its edge. Larger: pointed
     // ends at creases.
     float round_tip = 0.5F;
-    // A line narrows over this many pixels where something hides it. Larger: softer ends at contours.
+    // Where a line becomes hidden, it narrows over this many pixels. Larger: softer ends at contours.
     float hidden_taper = 2.0F;
     // A line whose angle with a contour has at least the sine `crossing_sine` runs on under the contour. A line with at
     // most the sine `parallel_sine` narrows before it. Larger: more lines narrow.
@@ -83,21 +82,21 @@ struct HatchTuning {
 
     // The distance between samples of a line, in pixels. Smaller: closer to the curve, more time.
     float step = 2.75F;
-    // On either side of the marks that may be drawn, this many other marks are loaded: the first that is not drawn, one
-    // for its tangent, and one for the spacing there. Fewer: ends are wrong.
+    // On either side of the marks that may be drawn, this many other marks are loaded: the first mark that is not
+    // drawn, one for its tangent, and one for its spacing. Fewer: ends are wrong.
     std::int64_t marks_around = 3;
     // If fewer marks than this lie between two ranges that may be drawn, they are loaded, too. Larger: fewer ranges,
     // more marks.
     std::int64_t fewest_left_out = 16;
-    // A line is straight between marks that are nearer to each other than this, in pixels. It leaves the curve by at
-    // most an eighth of that. Larger: corners show.
+    // Between marks closer than this, in pixels, a line is straight. It leaves the curve by at most an eighth of that.
+    // Larger: corners show.
     float shortest_curve = 1.0F;
-    // Samples are farther apart than this, in pixels. Larger: ends are less exact.
+    // The least distance between samples, in pixels. Larger: ends are less exact.
     float least_step = 1.0F / 64.0F;
-    // Within this distance of a tip, in pixels, samples give way to points that follow the square root by which the
-    // width changes there. Larger: less of the samples' own widths.
+    // Within this distance from a tip, in pixels, extra points replace the samples. They follow the square root of the
+    // width near the tip. Larger: less of the samples' own widths.
     float tip_reach = 2.5F;
-    // At most this many consecutive points are left out. Larger: opacities and ids are coarser.
+    // At most this many consecutive points are left out. Larger: opacities and ids are less exact.
     std::int64_t most_left_out = 6;
     // A point is left out if its place differs by less than `place_tolerance` from the line between its neighbours, and
     // its radius by less than `radius_tolerance`, in pixels. Larger: fewer points, corners show.
@@ -106,9 +105,9 @@ struct HatchTuning {
 
     // ---- Closed strokes
 
-    // A stroke is closed if its ends are no farther apart than `closed_gap`, in steps from mark to mark, and if their
-    // directions agree with at least the cosine `closed_cosine`. Larger gap, smaller cosine: more strokes are closed,
-    // also spirals.
+    // A stroke is closed if the distance of its ends is at most `closed_gap`, in mean distances of marks, and the
+    // cosine between the directions of its ends is at least `closed_cosine`. Larger gap, smaller cosine: more strokes
+    // are closed, also spirals.
     float closed_gap = 1.5F;
     float closed_cosine = 0.8F;
     // Ends that are nearer to each other than this are one mark, in steps. Larger: a mark is lost.
@@ -117,8 +116,7 @@ struct HatchTuning {
 
     // ---- An unsteady hand
 
-    // The length of a swing of the wobble, in pens, and of a swing of the stroke ends, in longest overshoots. Larger:
-    // calmer.
+    // The length of a swing: of the wobble, in pens, and of the stroke ends, in longest overshoots. Larger: calmer.
     float wobble_swing = 60.0F;
     float end_swing = 4.0F;
     // The noise has this many knots in a swing, and at least `fewest_knots` around a closed stroke. Larger: rounder,
@@ -128,7 +126,7 @@ struct HatchTuning {
 
     // ---- Edges that hide lines
 
-    // An edge lies before a line if it is nearer to the eye by more than this, in pixels. Larger: creases of the line's
+    // An edge is before a line if it is nearer to the eye by more than this, in pixels. Larger: creases of the line's
     // own surface hide less, and so do surfaces just before it.
     float least_depth_gap = 1.0F;
     // Edges that are nearer by this many times halo_gap have their full halo. Larger: halos grow more slowly.

@@ -33,7 +33,7 @@
 namespace hrbfnpr::frame {
 namespace {
 
-// The steps of a frame end at these shares of the frame's time.
+// The shares of the frame's time at which its steps end.
 constexpr double traced_end = 0.32;
 constexpr double found_end = 0.8;
 constexpr double hidden_end = 0.9;
@@ -57,10 +57,10 @@ void add_counts(const visibility::Invisibility& found, const TracedLines& traced
 struct LineSource {
     const Item& item;
     curves::View view;
-    std::int32_t number; // among the occluders
+    std::int32_t number; // its number among the occluders
     bool mirrored;
     std::int32_t contours, border, end;
-    std::int32_t folds = -1; // -1: no crease of the item is a contour
+    std::int32_t folds = -1; // -1 if no crease of the item is a contour
     const curves::CreaseParts* creases = nullptr;
 
     [[nodiscard]] const curves::LineSet& lines() const noexcept { return *item.lines; }
@@ -69,9 +69,9 @@ struct LineSource {
 
 // ---- The camera
 
-// The camera for all lines of a scene. A face that is seen exactly edge-on does not show on which side of its edges it
-// lies. So if an item has creases, the eye moves a little to one side, and an orthographic camera becomes a perspective
-// one at a large finite distance, so that faces parallel to its axis turn away a little.
+// Returns the camera for all lines of a scene. If a face is seen exactly edge-on, it is not clear on which side of its
+// edges it lies. So if an item has creases, the eye is moved a little to one side. An orthographic camera becomes a
+// perspective one at a large finite distance, so that faces parallel to its axis turn away a little.
 Camera camera_off_planes(const Scene& scene, std::span<const Item> items) {
     geometry::Bounds box; // in eye space
     bool sharp = false;
@@ -89,8 +89,8 @@ Camera camera_off_planes(const Scene& scene, std::span<const Item> items) {
     const double radius = sharp ? 0.5 * glm::length(box.size()) : 0.0;
     const double middle = 0.5 * (box.min.z + box.max.z);
     if (!(radius > 0.0) || !std::isfinite(radius) || !std::isfinite(middle)) return camera;
-    // x and y shift to one side in proportion to z - middle. For an orthographic camera w changes with z, so that the
-    // eye is at a finite distance.
+    // x and y shift in proportion to z - middle. For an orthographic camera, w changes with z, which puts the eye at a
+    // finite distance.
     glm::dmat4 moved(1.0);
     const double shift = line_tuning.camera_offset;
     const glm::dvec2 to_side = line_tuning.sideways_share * shift *
@@ -114,7 +114,7 @@ curves::View view_of(const Camera& camera, const Item& item) {
     if (eye.w != 0.0) {
         const glm::dvec3 place = glm::dvec3(eye) / eye.w;
         const geometry::Bounds& region = item.lines->mesh().region;
-        const glm::dvec3 size = glm::abs(place); // its squares may overflow
+        const glm::dvec3 size = glm::abs(place); // The squares of these numbers may overflow.
         const double largest = std::max({size.x, size.y, size.z});
         const bool is_far = !(largest <= line_tuning.parallel_distance * glm::distance(region.min, region.max));
         eye = is_far ? glm::dvec4(glm::normalize(0.5 * (region.min + region.max) / largest - place / largest), 0.0)
@@ -137,8 +137,8 @@ visibility::Subject& add_subject(const LineSource& source, const curves::Curves&
     return out.subjects.back();
 }
 
-// The contours of an item, or of a part of it, in this view. If the eye has not moved since the last frame, they are
-// those of the last frame.
+// Returns the contours of an item, or of a part of it, in this view. If the eye has not moved since the last frame, the
+// last contours are used again.
 std::unique_ptr<Contours> find_contours(const base::Work& work, const curves::LineSet& lines, std::int64_t item,
                                         std::int64_t part, const curves::ContourLevel& level, ContourList& all_last) {
     const curves::View& view = level.view();
@@ -163,7 +163,7 @@ std::unique_ptr<Contours> find_contours(const base::Work& work, const curves::Li
         contours->from_last = near != nullptr;
         contours->broken = report.broken + report.missed;
     };
-    // Tracing begins with the last frame's contours if nearly all of their points have moved little.
+    // Tracing begins with the contours of the last frame, if nearly all of their points have moved only a little.
     if (last != nullptr) {
         const curves::Curves moved =
             curves::moved_contours(work.memory, view, last->traced, line_tuning.farthest_move * mesh.side);
@@ -213,7 +213,7 @@ void add_lines(const base::Runtime& runtime, const LineSource& source, const cur
     HRBFNPR_ASSERT(style != nullptr || sheets > 0);
     if (lines.curves.count() == 0) return;
     for (const bool outside : {true, false}) {
-        // Lines that show the inside are hidden by their own surface, unless the surface is open.
+        // Lines on the inside are hidden by their surface, unless the surface is open.
         if (!outside && sheets == 0 && style->hidden == HiddenParts::none && !source.is_open()) continue;
         const curves::SurfaceLines& parts = *out.lines.add(
             std::make_unique<curves::SurfaceLines>(curves::facing_parts(runtime.memory, lines, source.view, outside)));
@@ -303,7 +303,7 @@ void add_style(const base::Work& work, const Scene& scene, const LineSource& sou
         break;
     }
     case LineKind::isophote: {
-        // Normals transform by the inverse transpose, so that n . l is the same as in the light's space.
+        // The inverse transpose transforms normals, so that n . l is the same as in the space of the light.
         const glm::dmat3 to_space = item.style.light_space == LightSpace::camera
                                         ? glm::dmat3(scene.camera.view * item.transform)
                                         : glm::dmat3(item.transform);
@@ -318,8 +318,8 @@ void add_style(const base::Work& work, const Scene& scene, const LineSource& sou
     }
 }
 
-// Traces all lines of the items, and adds a layer to the drawing for each style of lines. Contours of the last frame
-// that have not changed are moved out of `last`.
+// Traces all lines of the items. Adds a layer to the drawing for each style of lines. Contours of the last frame that
+// are still valid are moved out of `last`.
 TracedLines trace_lines(const base::Work& work, const Scene& scene, std::span<const Item> items, ContourList& last,
                         drawing::Drawing& drawing) {
     TracedLines out(work.memory);
@@ -369,7 +369,7 @@ TracedLines trace_lines(const base::Work& work, const Scene& scene, std::span<co
 
 // ---- Numbers
 
-// The approximate number of points of a line of this frame that are near a line of the last frame.
+// How many points of a line in this frame are near a line of the last frame, approximately.
 struct Vote {
     std::int64_t line;
     std::int64_t known;
@@ -428,8 +428,8 @@ base::Array<Vote> count_votes(const KnownLines& last, const base::Array<LineFami
     return votes;
 }
 
-// Returns the numbers of the lines. Lines that continue lines of the last frame keep their numbers; others get new
-// ones.
+// Returns the numbers of the lines. A line that continues a line of the last frame keeps its number. Other lines get
+// new numbers.
 LineNumbers number_lines(base::Memory& memory, const base::Array<visibility::Subject>& subjects,
                          const base::Array<visibility::Occluder>& occluders, const visibility::ImageLines& lines,
                          KnownLines& last) {
@@ -497,7 +497,7 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     };
     TracedLines traced = trace();
     visibility::Invisibility found = count_sheets(traced);
-    // Contours that began with those of the last frame may be too coarse, or doubled, even where none is broken.
+    // Contours that were traced from those of the last frame may be too coarse, or doubled, even if none is broken.
     const auto is_from_last = [](const auto& contours) { return contours->from_last; };
     if (found.report.settled > 0 && std::any_of(traced.contours.begin(), traced.contours.end(), is_from_last)) {
         contours_.clear();

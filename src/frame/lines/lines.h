@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The data that the steps of a frame of lines hand on: all lines of its items, traced for its camera; their numbers;
-// and their strokes.
+// The data that the steps of a frame of lines share: all lines of its items, traced for its camera; their numbers; and
+// their strokes.
 #pragma once
 
 #include "features/line_set.h"
@@ -14,11 +14,11 @@ struct DrawnSubject {
     const LineStyle* style;
     std::int32_t subject;
     std::uint32_t layer;
-    const float* strength = nullptr;  // the strength at each point of the subject's curves; null: all have the same
-    float lower = 0.0F, upper = 0.0F; // strengths between which a line fades
-    float halo = 0.0F; // the gap in pixels between a nearer line and the end of this one, by the item's style
-    bool cut = false;  // parts weaker than `lower` are not drawn
-    const float* factor = nullptr; // the factor of the width at each point of the subject's curves; null: 1
+    const float* strength = nullptr;  // the strength at each point of the subject's curves; null: all are equal
+    float lower = 0.0F, upper = 0.0F; // A line fades between these two strengths.
+    float halo = 0.0F; // the gap in pixels between a nearer line and the end of this line, by the item's style
+    bool cut = false;  // True if parts weaker than `lower` are not drawn.
+    const float* factor = nullptr; // the factor of the width at each point of the subject's curves; null: all are 1
 };
 
 struct TracedLines {
@@ -36,22 +36,22 @@ struct TracedLines {
     base::List<std::unique_ptr<curves::ContourLevel>> levels;
     base::List<std::unique_ptr<curves::SurfaceLines>> lines;
     base::List<std::unique_ptr<curves::CreaseParts>> creases;
-    base::List<base::Array<float>> numbers; // strengths and factors
+    base::List<base::Array<float>> numbers; // the arrays of strengths and factors
 };
 
-// The numbers of lines. A line keeps its number from frame to frame, and is recognized by its place on its surface.
+// The numbers of lines. A line keeps its number from frame to frame. It is recognized by its place on the surface.
 struct LineNumbers {
     explicit LineNumbers(base::Memory& memory) noexcept : number(memory), origin(memory) {}
 
-    base::Array<std::uint32_t> number; // the number of each line, from 1 on
-    // For each line: the piece that begins where the line's first piece began when the line was new.
+    base::Array<std::uint32_t> number; // for each line: its number, from 1 on
+    // for each line: the piece that contains the place where the line's first piece began when the line was new
     base::Array<std::int64_t> origin;
 };
 
 struct LineInput {
     const base::Runtime& runtime;
     const Scene& scene;
-    TracedLines& traced; // the traced lines; their styles get the factors of the widths
+    TracedLines& traced; // the traced lines, whose styles receive the factors of the widths
     const visibility::Invisibility& found;
     const visibility::LineLengths& lengths;
     const LineNumbers& numbers;

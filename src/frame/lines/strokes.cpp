@@ -91,7 +91,7 @@ bool has_outline_factor(const DrawnSubject& drawn) noexcept {
            (drawn.style->kind == LineKind::contour || drawn.style->kind == LineKind::border);
 }
 
-// The depths of the points of drawn lines that are in the window.
+// Returns the range of depths of the drawn lines' points in the window.
 DepthRange depth_range(const LineInput& in) {
     DepthRange range;
     const glm::dvec4 window(in.scene.lens.viewport);
@@ -122,7 +122,7 @@ base::Array<float> point_factors(const LineInput& in, const Light& light, const 
         const double depth = -(to_eye * glm::dvec4(points[i].position, 1.0)).z;
         const float n_dot_l = lit(light, glm::vec3(glm::normalize(points[i].gradient)));
         const double facing =
-            std::isfinite(n_dot_l) ? static_cast<double>(n_dot_l) : 0.0; // n . l is NaN if f is constant
+            std::isfinite(n_dot_l) ? static_cast<double>(n_dot_l) : 0.0; // n . l is NaN if f is constant there.
         const double far = range > 0.0 ? (depth - depths.nearest) / range : 0.0;
         factors[i] = static_cast<float>(scaled_factor(drawn.style->far_factor, far) *
                                         scaled_factor(drawn.style->lit_factor, 0.5 + 0.5 * facing));
@@ -140,8 +140,8 @@ void find_radial_curvature(const visibility::Subject& subject, base::Array<doubl
     }
 }
 
-// Sets the curvature across the line: b H b / |grad f|, where b is tangent to the surface and perpendicular to the
-// line.
+// Finds the curvature of the surface across the line: b H b / |grad f|, where b is tangent to the surface and
+// perpendicular to the line.
 void find_curvature_across(const base::Work& work, const implicit::Implicit& surface,
                            const base::Array<curves::CurvePoint>& points, base::Array<double>& curvature) {
     geometry::VecArray place(work.memory, points.size());
@@ -160,12 +160,14 @@ void find_curvature_across(const base::Work& work, const implicit::Implicit& sur
     }
 }
 
-// Smooths values along the image. Weights fall by a factor of e over `pixels`. A fit's curvature jumps at samples, and
-// a contour's radial curvature is 0 where the line of sight is tangent to the contour; neither should be seen.
+// Smooths values along the image, with weights that fall by a factor of e over `pixels`. Without it, jumps would be
+// visible: the curvature of a fit jumps at samples, and the radial curvature of a contour is 0 where the line of sight
+// is tangent to it.
 base::Array<double> smooth_along(const visibility::Subject& subject, double pixels, const base::Array<double>& values) {
     const curves::Curves& curves = *subject.curves;
     HRBFNPR_ASSERT(values.size() == curves.point.size() && pixels > 0.0);
-    base::Array<double> kept(values.memory(), values.size()); // how much of the value before is kept
+    // For each value: the weight of the smoothed value before it.
+    base::Array<double> kept(values.memory(), values.size());
     base::Array<double> smooth(values.memory(), values.size());
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         const std::int64_t first = curves.first[c];
@@ -212,7 +214,7 @@ void add_curvature(const LineInput& in, const DrawnSubject& drawn, base::Array<f
             scaled_factor(drawn.style->curvature_factor, 1.0 - std::min(1.0, 1.0 / (bent * curvature[i]))));
 }
 
-// Sets the factors of styles at the points of their subjects. Returns the outline if styles ask for it.
+// Sets the width factors of the styles at the points of their subjects. Returns the outline if a style needs it.
 visibility::Outline find_widths(const LineInput& in, const drawing::Drawing& drawing, const base::Progress& progress) {
     base::Array<DrawnSubject>& styles = in.traced.styles;
     const auto is_by_depth = [](const DrawnSubject& drawn) { return drawn.style->far_factor != 1.0F; };
@@ -296,11 +298,11 @@ bool outline_factor_changes(const StrokeInput& in, const DrawnSubject& drawn, st
 
 // ---- An unsteady hand
 
-// Smooth noise along one line: uniform cubic B-splines of random numbers. The noise has two continuous derivatives and
-// is bounded by these numbers. Around a closed line it repeats.
+// Smooth noise along a line: uniform cubic B-splines of random numbers. It has two continuous derivatives, and is
+// bounded by the random numbers. Around a closed line it repeats.
 class Wobble {
 public:
-    // `line` is the line's number, and `whole` is its length, pixels.
+    // `line` is the number of the line, and `whole` is its length in pixels.
     Wobble(const LineStyle& style, std::uint32_t line, double whole, bool closed) noexcept
         : offset_(static_cast<double>(style.wobble) * static_cast<double>(style.width)),
           width_(static_cast<double>(style.wobble_width)),
@@ -316,13 +318,13 @@ public:
     [[nodiscard]] double aside(double at) const noexcept { return offset_ * noise(at, 0); }
     // The factor of the width at a place along the line.
     [[nodiscard]] double factor(double at) const noexcept { return 1.0 + width_ * noise(at, 1); }
-    // The longest chord of a line that follows the wobble, pixels.
+    // Returns the longest chord, in pixels, that follows the wobble closely enough.
     [[nodiscard]] double step() const noexcept {
         return std::max(line_tuning.shortest_step, knot_distance_ / line_tuning.steps_a_knot);
     }
 
 private:
-    // A random number in [-1, 1].
+    // Returns a random number in [-1, 1].
     [[nodiscard]] double random(std::int64_t knot, std::size_t which) const noexcept {
         if (knots_ > 0) knot = (knot % knots_ + knots_) % knots_;
         const std::uint64_t index = line_ << 32U | static_cast<std::uint32_t>(knot);
@@ -363,7 +365,7 @@ bool is_near(const geometry::PointGrid& grid, const geometry::VecArray& places, 
     return found;
 }
 
-// Calls f for places of the image along an interval until it returns false.
+// Calls f for places of the image along an interval, until f returns false.
 template <class F>
 void for_places_along(const LineInput& in, const visibility::Interval& interval, double step, const F& f) {
     const visibility::Line& line = in.line(interval.line);
@@ -371,7 +373,7 @@ void for_places_along(const LineInput& in, const visibility::Interval& interval,
     std::int64_t i = line.first_point;
     for (double way = interval.begin_at; way < interval.end_at + step; way += step) {
         double at = std::min(way, interval.end_at);
-        if (at > whole) at -= whole; // round a closed line
+        if (at > whole) at -= whole; // On a closed line, places continue from the beginning.
         if (in.lengths.at_point(i) > at) i = line.first_point;
         while (i + 2 < line.first_point + line.points && in.lengths.at_point(i + 1) < at) ++i;
         const double begin = in.lengths.at_point(i);
@@ -381,9 +383,9 @@ void for_places_along(const LineInput& in, const visibility::Interval& interval,
     }
 }
 
-// Returns 1 for hidden intervals that belong to a contour that is seen, and 0 for others. Such an interval is short,
-// lies on a contour of a surface with creases, and runs all along the visible contour. `width` is that of the widest
-// lines, pixels.
+// Returns for each interval 1 if it is hidden but belongs to a visible contour, else 0. Such an interval is short, is
+// on a contour of a surface with creases, and follows the visible contour closely. `width` is that of the widest lines,
+// in pixels.
 base::Array<std::uint8_t> find_hugging(base::Memory& memory, const LineInput& in, double width) {
     const base::Array<visibility::Interval>& intervals = in.found.intervals;
     base::Array<std::uint8_t> hugs(memory, intervals.size());
@@ -417,14 +419,14 @@ base::Array<std::uint8_t> find_hugging(base::Memory& memory, const LineInput& in
     return hugs;
 }
 
-// Returns two numbers for each line, for its start and its end. The number is 1 where an open line of a `joined`
-// subject continues as another line, or is hidden. A contour may come out of a crease too weak to be drawn, and turn
-// back at the crease that it hides. Such a contour begins like one at a cusp.
+// Returns two numbers for each line, for its start and its end. A number is 1 if an open line of a `joined` subject
+// continues there as another line, or is hidden there. A contour may come out of a crease too weak to be drawn, and
+// turn back at the crease that it hides. It then begins like a contour at a cusp.
 base::Array<std::uint8_t> find_joined(base::Memory& memory, const LineInput& in, const base::Array<std::uint8_t>& hugs,
                                       double width) {
     const base::Array<visibility::Interval>& intervals = in.found.intervals;
     geometry::VecArray seen(memory);
-    base::Array<std::int64_t> ends(memory); // 2 * line for the place where a line starts, 2 * line + 1 for its end
+    base::Array<std::int64_t> ends(memory); // for each end of a line: 2 * line for its start, 2 * line + 1 for its end
     for (std::int64_t i = 0; i < intervals.size(); ++i) {
         const std::int32_t number = intervals[i].line;
         const visibility::Line& line = in.line(number);
@@ -454,8 +456,8 @@ base::Array<std::uint8_t> find_joined(base::Memory& memory, const LineInput& in,
     return goes_on;
 }
 
-// Makes a part of consecutive intervals of a line that look alike. On a closed line the last and the first are
-// consecutive.
+// Makes parts: consecutive intervals of a line that look the same are one part. On a closed line, the last and first
+// intervals are consecutive, too.
 void parts_of(const StrokeInput& in, std::int64_t first, std::int64_t end, const base::Array<std::uint8_t>& hugs,
               const base::Array<std::uint8_t>& goes_on, base::Array<LinePart>& parts) {
     HRBFNPR_ASSERT(first < end && end <= in.found.intervals.size() && hugs.size() >= end);
@@ -505,7 +507,7 @@ void places_of(const StrokeInput& in, const LinePart& part, base::Array<StrokePl
     while (p + 1 < line.first_point + line.points && at(p) <= its.begin_at) ++p;
     double beyond = 0.0;
     for (std::int64_t step = 0; step < 2 * line.points; ++step, ++p) {
-        if (p + 1 >= line.first_point + line.points) { // the last point of a closed line is its first
+        if (p + 1 >= line.first_point + line.points) { // The last point of a closed line is also its first.
             if (!line.closed) break;
             p = line.first_point;
             beyond += whole;
@@ -675,7 +677,7 @@ void add_stroke(const StrokeInput& in, const PartPath& path, double from, double
     stroke.cap_begin = part.free_begin && !hidden ? style.cap : drawing::Cap::round;
     stroke.cap_end = part.free_end && !hidden ? style.cap : drawing::Cap::round;
 
-    base::Array<double> at(in.runtime.memory); // places of the stroke's points along the line
+    base::Array<double> at(in.runtime.memory); // the distances of the stroke's points along the line
     const auto put = [&](drawing::StrokePoint point, double here) {
         const double narrow = std::min(tapered(part.free_begin, here - part.interval.begin_at),
                                        tapered(part.free_end, part.interval.end_at - here));

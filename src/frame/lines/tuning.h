@@ -7,20 +7,21 @@ namespace hrbfnpr::frame {
 struct LineTuning {
     // ---- Tracing
 
-    // Tracing begins with contours of the last frame where their points move by at most this, in sides of the mesh.
-    // Larger: more contours are continued wrongly, and are traced again.
+    // Tracing begins with the contours of the last frame if their points move by at most this, in mesh sides. Larger:
+    // more contours are continued wrongly, and are traced again.
     double farthest_move = 1.0;
-    // Tracing begins anew if more than this share of all points moves farther. Larger: more contours may be missed.
+    // If more than this share of all points moves farther, all contours are traced anew. Larger: more contours may be
+    // missed.
     double most_left_out = 0.1;
-    // Contours that continue contours of the last frame are traced to this tolerance, in sides of the mesh. After a
-    // step of this length the error is a millionth of a side, and the next frame starts from there.
+    // The tolerance for tracing contours from those of the last frame, in mesh sides. The next frame starts from the
+    // result. After a step of this length the error is a millionth of a mesh side.
     double moved_tolerance = 1e-3;
     // Lines of the caller's own may lie this deep inside the surface, in sides of the mesh. Larger: surface just before
     // such lines does not hide them.
     double caller_line_clearance = 1.0;
     // Feature lines shorter than this are noise, in diagonals of the model.
     double shortest_feature = 0.01;
-    // Apparent ridges are refined this many times.
+    // The number of refinement rounds of apparent ridges.
     int ridge_rounds = 2;
     // If the eye is farther away than this, in diagonals, lines of sight count as parallel. Contours are the same then,
     // to all digits that they are found to.
@@ -34,7 +35,8 @@ struct LineTuning {
 
     // ---- Numbers of lines
 
-    // At most this many points of a line are compared with the last frame. Larger: more time, and fewer wrong numbers.
+    // The largest number of points of a line that are compared with the last frame. Larger: more time, and fewer wrong
+    // numbers.
     int most_points = 16;
     // One in this many points of a line is kept for the next frame.
     int points_per_kept = 4;
@@ -67,23 +69,23 @@ struct LineTuning {
 
     // ---- Widths and places along a line
 
-    // Beyond the ends of the outline, widths change to that of other lines over this many widths. Larger: softer.
+    // Beyond the ends of the outline, its width changes to that of other lines over this many widths. Larger: softer.
     double fade_widths = 6.0;
-    // A line has `fade_steps` points along a change of width at an end of the outline, and `steps_a_knot` points
-    // between two knots of a wobble.
+    // The number of points of a line along a change of width at an end of the outline, and between two knots of a
+    // wobble (`steps_a_knot`).
     double fade_steps = 8.0;
     double steps_a_knot = 4.0;
     // Curvatures are smoothed along a line over this many widths. Larger: widths change more slowly.
     double smooth_widths = 8.0;
-    // A wobble has this many random numbers for each wobble_length of a style. Larger: a more nervous hand.
+    // The number of random numbers of a wobble in each `wobble_length` of the style. Larger: a more nervous hand.
     double knots_a_swing = 3.0;
-    // A closed line has at least this many random numbers.
+    // The least number of random numbers around a closed line.
     double fewest_knots = 4.0;
-    // Points along a wobble are at least this far apart, in pixels.
+    // The least distance between points along a wobble, in pixels.
     double shortest_step = 0.5;
-    // The numbers of knots are clamped to this, since a line that passes beside the eye may be immensely long.
+    // The largest number of a knot. A line that passes beside the eye may be immensely long.
     double farthest_knot = 1e15;
-    // Lines have points of a wobble or a fade in the window and up to this many steps beside it.
+    // Points for wobbles and fades are made in the window, and up to this many steps outside it.
     double steps_beside = 16.0;
 };
 inline constexpr LineTuning line_tuning;

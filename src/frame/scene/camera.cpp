@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// 1. look_at, perspective and orthographic check their numbers and build matrices from them.
+// 1. look_at, perspective and orthographic check their arguments and build matrices.
 // 2. fit_bounds and fit_points find an eye that sees everything, and build a camera there.
 // 3. check, make_optics and make_lens prepare any camera, also a host's, for a frame.
 #include "frame/scene/camera.h"
@@ -21,7 +21,8 @@
 namespace hrbfnpr::frame {
 namespace {
 
-constexpr double largest_viewport = 1048576.0; // pixels a side: beyond it a float has no sub-pixel places
+// The largest side of a viewport, in pixels. With larger coordinates, a float has no sub-pixel precision.
+constexpr double largest_viewport = 1048576.0;
 
 // ---- Checks
 
@@ -84,7 +85,7 @@ struct Axes {
 };
 
 Axes camera_axes(const glm::dvec3& forward, const glm::dvec3& up) {
-    // Vectors are scaled first, so that the squares of tiny and huge ones stay within the range of a double.
+    // Vectors are scaled first, so that squares of tiny and huge vectors stay in the range of a double.
     const auto unit = [](const glm::dvec3& v) {
         const glm::dvec3 a = glm::abs(v);
         const glm::dvec3 scaled = v / std::max({a.x, a.y, a.z});
@@ -113,7 +114,7 @@ glm::dmat4 view_matrix(const Axes& axes, const glm::dvec3& eye) {
     return view;
 }
 
-// Calls make(full_range, near, far). The depth of clip space goes from -1 or 0 to 1, or from 1 to 0.
+// Calls make(full_range, near, far). In clip space, depth goes from -1 or 0 to 1, or from 1 to 0.
 template <class Make>
 glm::dmat4 with_depth(DepthConvention depth, double near_plane, double far_plane, const Make& make) {
     if (depth > DepthConvention::reversed)
@@ -123,13 +124,13 @@ glm::dmat4 with_depth(DepthConvention depth, double near_plane, double far_plane
     return make(depth == DepthConvention::negative_one_to_one, near_plane, far_plane);
 }
 
-// The extent that a camera has to see, in the camera's axes (right, up, forward) from an anchor. Seen from an eye e, a
-// point p lies between the lines of slope t on the right if p_x - e_x <= t (p_z - e_z), which is the same as
-// p_x - t p_z <= e_x - t e_z. So only the largest left side of all points matters, and likewise on the other three
-// sides. With t = 0 the four numbers are the extents of an orthographic picture.
+// The extent that a camera must see, along the camera's axes (right, up, forward) from an anchor. Seen from an eye e, a
+// point p lies between the lines of slope t on the right if p_x - e_x <= t (p_z - e_z), which is the same as p_x - t
+// p_z <= e_x - t e_z. So only the largest left side of all points matters, and likewise on the other three sides. With
+// t = 0 the four numbers are the extents of an orthographic picture.
 struct Support {
-    glm::dvec2 above{-std::numeric_limits<double>::infinity()}; // max of p - t p_z
-    glm::dvec2 below{-std::numeric_limits<double>::infinity()}; // max of -p - t p_z
+    glm::dvec2 above{-std::numeric_limits<double>::infinity()}; // the largest p - t p_z
+    glm::dvec2 below{-std::numeric_limits<double>::infinity()}; // the largest -p - t p_z
     double nearest = std::numeric_limits<double>::infinity();
     double farthest = -std::numeric_limits<double>::infinity();
 
@@ -141,15 +142,15 @@ struct Support {
     }
 };
 
-// Puts the near plane before the nearest point, but never too close to the eye.
+// Returns a projection whose near plane is before the nearest point, but not too close to the eye.
 glm::dmat4 perspective_around(double vertical_angle, double width, double height, double nearest, double farthest,
                               double slack, DepthConvention depth) {
     return perspective(vertical_angle, width, height, std::max(nearest - slack, 0.5 * nearest), farthest + slack,
                        depth);
 }
 
-// The point of eye space that has no image, where all lines of sight meet. It is the common null vector of the rows for
-// x, y and w, and lies at infinity for parallel projections.
+// Returns the point of eye space in which all lines of sight meet, and which has no image. It is the common null vector
+// of the rows for x, y and w. For parallel projections it is at infinity.
 glm::dvec4 centre_of_projection(const glm::dmat4& projection) {
     const glm::dmat4 rows = glm::transpose(projection);
     const glm::dvec4& a = rows[0];
@@ -221,7 +222,7 @@ Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, c
     const Axes axes = camera_axes(direction, up);
     const glm::dvec3 centre = bounds.centre();
     glm::dvec3 half = 0.5 * bounds.size();
-    // A single point has no size, so the camera sees it as if it had a small one.
+    // A single point has no size, so a small size is used.
     if (half == glm::dvec3(0.0)) half = glm::dvec3(std::max(1e-3, 1e-6 * glm::length(centre)));
     const double size = 2.0 * glm::length(half);
     const double slack = 0.5 * scene_tuning.fit_slack * size;
@@ -230,7 +231,7 @@ Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, c
     const double tangent = std::tan(0.5 * vertical_angle);
     const glm::dvec2 slope(tangent * aspect * used, tangent * used);
     glm::dvec3 extent(0.0);
-    // The least distance from the eye to the centre at which the eye sees all corners between lines of these slopes.
+    // The least distance between the eye and the centre at which all corners are between the lines of these slopes.
     double reach = 0.0;
     for (unsigned i = 0; i < 8; ++i) {
         const glm::dvec3 c = axes.along(
@@ -241,11 +242,11 @@ Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, c
     Camera camera{depth, {}, {}, {0.0, 0.0, width, height}};
     double back = extent.z + 2.0 * slack;
     if (vertical_angle == 0.0) {
-        // 1e-9: a line that is seen end-on has no height.
+        // The term with 1e-9 is for a line seen end-on, which has no height.
         const double view_height = 2.0 * std::max({extent.y, extent.x / aspect, 1e-9 * size}) / used;
         camera.projection = orthographic(view_height, width, height, slack, 2.0 * back - slack, depth);
     } else {
-        // The eye keeps the slack from the nearest corner, so that it cannot touch the corner.
+        // The slack keeps the eye away from the nearest corner.
         back = std::max(reach, extent.z + slack);
         camera.projection =
             perspective_around(vertical_angle, width, height, back - extent.z, back + extent.z, slack, depth);
@@ -313,7 +314,7 @@ Optics make_optics(const Camera& camera) {
     const bool half_range = camera.depth == DepthConvention::negative_one_to_one;
     glm::dmat4 from_clip(0.0);
     from_clip[0][0] = 0.5 * v[2];
-    from_clip[1][1] = -0.5 * v[3]; // rows go down
+    from_clip[1][1] = -0.5 * v[3]; // Rows are counted downward.
     from_clip[2][2] = half_range ? 0.5 : 1.0;
     from_clip[3] = {v[0] + 0.5 * v[2], v[1] + 0.5 * v[3], half_range ? 0.5 : 0.0, 1.0};
     return {from_clip * camera.projection, centre_of_projection(camera.projection)};
@@ -322,7 +323,7 @@ Optics make_optics(const Camera& camera) {
 Lens make_lens(const Camera& camera) {
     const Optics optics = make_optics(camera);
     const glm::dmat4& p = camera.projection;
-    // The scale is the mean over both axes. It does not depend on rotations in the image plane.
+    // The scale is the mean over both axes, which does not change if the image is rotated.
     const double x = 0.5 * camera.viewport[2] * std::hypot(p[0][0], p[1][0]);
     const double y = 0.5 * camera.viewport[3] * std::hypot(p[0][1], p[1][1]);
     return {glm::mat4(optics.window),

@@ -33,15 +33,16 @@ namespace hrbfnpr::frame {
     return dot(light.towards, turned) / glm::length(turned);
 }
 
-// tau = max(0, n . l)^exponent + fill max(0, -n . l)^2: 1 is light, 0 is dark. The fill light comes from the other
-// side. Its square leaves the terminator dark, and varies where a surface faces it.
+// Returns tau = max(0, n . l)^exponent + fill max(0, -n . l)^2: 1 is light, 0 is dark. The fill light comes from the
+// opposite side. Because it is squared, the terminator stays dark, and tones vary where the surface faces the fill
+// light.
 [[nodiscard]] inline float light_tone(float n_dot_l, float exponent, float fill = 0.0F) noexcept {
     const float lit = std::clamp(n_dot_l, 0.0F, 1.0F);
     const float away = std::clamp(-n_dot_l, 0.0F, 1.0F);
     return (exponent == 1.0F ? lit : std::pow(lit, exponent)) + fill * away * away;
 }
 
-// The tone that a style gives to light. Published styles have no fill light.
+// How a style makes tone from light. Published styles have no fill light.
 struct LightTone {
     explicit LightTone(const Style& style) noexcept
         : exponent(static_cast<float>(style.tone_exponent)),
@@ -51,12 +52,12 @@ struct LightTone {
 
     [[nodiscard]] float operator()(float n_dot_l) const noexcept { return light_tone(n_dot_l, exponent, fill); }
 
-    // A lower bound of the tone where n . l is at least `least_lit`. The fill light does not count, since the
-    // terminator may lie in between.
+    // Returns a lower bound of the tone where n . l is at least `least_lit`. The fill light is ignored, because the
+    // terminator may be in between.
     [[nodiscard]] float least(float least_lit) const noexcept { return light_tone(least_lit, exponent); }
 
-    // The inverse of least(): where n . l is above the result, tones are higher than `tau` by at least `rounding`. The
-    // result is infinite if no n . l is that large.
+    // The inverse of least(). Where n . l is above the result, tones exceed `tau` by at least `rounding`. The result is
+    // infinite if no n . l is large enough.
     [[nodiscard]] float lightest(float tau, float rounding) const noexcept {
         HRBFNPR_ASSERT(rounding > 0.0F);
         constexpr float any = std::numeric_limits<float>::infinity();
@@ -69,46 +70,47 @@ struct LightTone {
     float exponent, fill;
 };
 
-// tau_d is 1 up to depth_min and 0 from depth_max on. In between it falls linearly with the logarithm of the distance.
+// Returns tau_d, which is 1 up to depth_min and 0 from depth_max on. In between, it falls linearly with the logarithm
+// of the distance.
 [[nodiscard]] inline float depth_tone(double distance, double depth_min, double depth_max) noexcept {
     if (!(distance > depth_min)) return 1.0F;
     const double tone = 1.0 - std::log(distance / depth_min) / std::log(depth_max / depth_min);
     return static_cast<float>(std::clamp(tone, 0.0, 1.0));
 }
 
-// The tone that a style gives to distance.
+// How a style makes tone from distance.
 struct DepthTone {
     DepthTone(const Style& style, float eye_units_per_world_unit) noexcept
         : depth_min(style.depth_min), depth_max(style.depth_max), eye_per_world(eye_units_per_world_unit),
           is_on(depth_min > 0.0 && depth_max > depth_min) {}
 
-    // `distance` is in eye units.
+    // Returns the tone. `distance` is in eye units.
     [[nodiscard]] float operator()(float distance) const noexcept {
         return is_on ? depth_tone(static_cast<double>(distance / eye_per_world), depth_min, depth_max) : 1.0F;
     }
 
-    double depth_min, depth_max; // world units
+    double depth_min, depth_max; // in world units
     float eye_per_world;
     bool is_on;
 };
 
-// The share of the marks that is shown. The reference has a zoom of 1.
+// Returns the share of the marks that is shown at a zoom. The reference view has the zoom 1.
 [[nodiscard]] inline float zoom_scale(float zoom, float exponent) noexcept {
     return zoom >= 1.0F ? 1.0F : std::pow(std::max(zoom, 0.0F), exponent);
 }
 
-// Whether a mark is shown, or what drops it.
+// Whether a mark is shown, or the reason why it is not.
 enum class Verdict : std::uint8_t { shown = 0, tone = 1, zoom = 2, depth = 3 };
 
 struct ToneTerms {
     float tau = 0.0F;       // the tone by light
     float tau_depth = 1.0F; // the tone by distance
     float scale = 1.0F;     // the share of the marks that is shown at this zoom
-    float share = 1.0F;     // the share of the group's marks that is used at all
+    float share = 1.0F;     // the share of the group's marks that may be used at all
 };
 
-// `u` is the mark's rank. Share and light, zoom, and depth act one after the other. The verdict names the first that
-// drops the mark.
+// Returns whether a mark with the rank `u` is shown. Three tests follow each other: share and light, zoom, and depth.
+// The verdict names the first test that drops the mark.
 [[nodiscard]] inline Verdict front_verdict(float u, const ToneTerms& t, ToneRule rule) noexcept {
     if (rule == ToneRule::published) {
         if (!(u >= t.tau && u < t.share)) return Verdict::tone;
@@ -129,33 +131,34 @@ struct ToneTerms {
 // ---- Hidden lines: how much paper a mark paints over the ink beyond it, and how much a layer of surface lets through
 //                                                                                                          [NPAR 6.1]
 
-// nu = n . v, where v points from the camera to the mark. nu is negative in front.
+// Returns the opacity of a front mark. nu = n . v, where v points from the camera to the mark, so nu is negative in
+// front.
 [[nodiscard]] inline float front_alpha(float nu, float lambda) noexcept {
     return std::clamp(nu * nu * lambda, 0.0F, 1.0F);
 }
 
-// The logarithm is the natural one. For nu <= 0.05, where it is not defined, the result is 0.
+// Returns the opacity of a back mark. It contains the natural logarithm of nu, so it is 0 for nu <= 0.05.
 [[nodiscard]] inline float back_alpha(float nu, float lambda) noexcept {
     if (!(nu > 0.05F)) return 0.0F;
     return std::clamp(0.2F * (std::log(nu - 0.05F) + 5.0F) * lambda, 0.0F, 1.0F);
 }
 
-// How many discs of a layer overlap at a pixel: the area of a disc divided by the screen area of a mark's piece of
-// surface, which shrinks with |nu|. radius and spacing are in pixels.
+// Returns the expected number of discs of a layer that overlap at a pixel: the area of a disc divided by the screen
+// area of a mark's piece of surface, which shrinks with |nu|. radius and spacing are in pixels.
 [[nodiscard]] inline float expected_overlap(float radius, float spacing, float nu) noexcept {
     const float piece = spacing * spacing * std::max(std::abs(nu), 0.01F);
     return piece > 0.0F ? std::max(1.0F, std::numbers::pi_v<float> * radius * radius / piece) : 1.0F;
 }
 
-// The opacity of each of `overlap` discs that together are as opaque as `layers` of opacity alpha:
-// (1 - opacity)^overlap = (1 - alpha)^layers. With layers = 0 it is alpha itself, as published.
+// Returns the opacity for each of `overlap` discs, so that together they are as opaque as `layers` layers with the
+// opacity alpha: (1 - opacity)^overlap = (1 - alpha)^layers. With layers = 0 it returns alpha, as published.
 [[nodiscard]] inline float disc_opacity(float alpha, float layers, float overlap) noexcept {
     if (!(layers > 0.0F) || alpha >= 1.0F) return alpha;
     return -std::expm1(std::log1p(-alpha) * layers / overlap);
 }
 
-// The transmittance of an item's layer. Ink that a solid hides lies behind two layers, one that faces the eye and one
-// that faces away. A surface that is drawn on both sides may be the only layer there, so it hides like both.
+// Returns the transmittance of an item's layer. Ink that a solid hides is beyond two layers: one faces the eye and one
+// faces away. A surface drawn on both sides may be a single layer, so it hides as much as two.
 [[nodiscard]] inline float layer_transmittance(const Style& style, float nu, bool both_sides) noexcept {
     if (style.hidden_lines == HiddenLines::show) return 1.0F;
     if (style.hidden_lines == HiddenLines::hide) return 0.0F;
@@ -171,8 +174,9 @@ struct ToneTerms {
     return transmittance;
 }
 
-// The lowest bits of a transmittance hold the number of its item. The change is too small to show in a pixel, and
-// separate planes of items would take as long to lay as planes of depths. Items that agree in these bits count as one.
+// The number of bits of an item's number that are stored in the lowest bits of a transmittance. The change is too small
+// to show in a pixel. Separate planes for items would take as much time as planes of depths. Items with the same bits
+// count as one item.
 inline constexpr std::uint32_t item_bits = 15;
 [[nodiscard]] inline std::uint32_t bits_of_item(std::int32_t item) noexcept {
     return static_cast<std::uint32_t>(item) & item_bits;
@@ -180,7 +184,7 @@ inline constexpr std::uint32_t item_bits = 15;
 [[nodiscard]] inline std::uint32_t item_of(float transmittance) noexcept {
     return base::bit_cast<std::uint32_t>(transmittance) & item_bits;
 }
-// The number nearest to `transmittance` that has the item's bits and is not above 1.
+// Returns the number nearest to `transmittance` that contains the item's bits and is not above 1.
 [[nodiscard]] inline float with_item(float transmittance, std::int32_t item) noexcept {
     HRBFNPR_ASSERT(transmittance >= 0.0F && transmittance <= 1.0F);
     const std::uint32_t own = bits_of_item(item);
@@ -192,17 +196,17 @@ inline constexpr std::uint32_t item_bits = 15;
 
 // ---- The order of painting, as published
 
-// How far behind its mark, in eye units, a front mark's disc of paper is painted, so that it lies behind all ink of the
-// mark's layer. Within the disc's radius R, a sphere of any size that faces the eye at the angle theta falls back by at
-// most R (1 + sin(theta)) / cos(theta). This holds for a plane (R tan(theta)) as well as for a sphere so small that its
-// contour is just within reach.
+// Returns how far beyond its mark a front mark's disc of paper is painted, in eye units. It must be beyond all ink of
+// the mark's layer. Within the disc's radius R, a sphere of any size that faces the eye at the angle theta is at most R
+// (1 + sin(theta)) / cos(theta) deeper. This bound holds for a plane (R tan(theta)), and for a sphere so small that its
+// contour is just within R.
 [[nodiscard]] inline float front_push(float radius, float nu, float pixels_per_unit) noexcept {
     const float cosine = std::clamp(std::abs(nu), scene_tuning.smallest_cosine, 1.0F);
     return radius / pixels_per_unit * (1.0F + std::sqrt(1.0F - cosine * cosine)) / cosine;
 }
 
-// How far behind its mark a back mark's disc of paper is painted, in eye units. The disc must not cover the ink of the
-// contour, where its layer turns to the front. The contour is nearer to the eye, so only some slack is needed.
+// Returns how far beyond its mark a back mark's disc of paper is painted, in eye units. The disc must not cover the ink
+// of the contour, where its layer turns to the front. The contour is nearer to the eye, so a small slack is enough.
 [[nodiscard]] inline float back_push(float radius, float pixels_per_unit) noexcept { return radius / pixels_per_unit; }
 
 } // namespace hrbfnpr::frame

@@ -12,11 +12,12 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using F = hn::CappedTag<float, marks::MarkBlock::size>; // a vector never leaves its block
+using F = hn::CappedTag<float, marks::MarkBlock::size>; // A vector is not larger than a block of marks.
 using W = hn::Vec<F>;
 using M = hn::Mask<F>;
 
-// Products and sums are rounded separately. Fused steps would give other bits on processors that have them.
+// Products and sums are rounded separately, because fused operations exist only on some processors and give different
+// bits.
 HWY_INLINE W dot3(const float* row, W x, W y, W z) {
     const F d;
     return hn::Add(hn::Add(hn::Mul(hn::Set(d, row[0]), x), hn::Mul(hn::Set(d, row[1]), y)),
@@ -25,7 +26,7 @@ HWY_INLINE W dot3(const float* row, W x, W y, W z) {
 HWY_INLINE W affine(const float* row, W x, W y, W z) { return hn::Add(dot3(row, x, y, z), hn::Set(F(), row[3])); }
 HWY_INLINE W squared(W x, W y, W z) { return hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z)); }
 
-// n . l, with the same bits as lit() of light.h.
+// Returns n . l with the same bits as lit() in light.h.
 HWY_INLINE W lit(const Light& light, W nx, W ny, W nz) {
     if (light.rigid) return dot3(light.towards, nx, ny, nz);
     const W x = dot3(light.normal[0], nx, ny, nz);
@@ -34,8 +35,8 @@ HWY_INLINE W lit(const Light& light, W nx, W ny, W nz) {
     return hn::Div(dot3(light.towards, x, y, z), hn::Sqrt(squared(x, y, z)));
 }
 
-// Sees the vector of marks at `at`. load(0) to load(8) give x, y and z of the place, the normal, and the normal for
-// tone.
+// Projects the vector of marks at `at`. load(0) to load(8) give x, y and z of the position, the normal, and the normal
+// for tone.
 template <class Load>
 HWY_INLINE void project_vector(const ViewTransform& s, std::int64_t at, const ProjectedRows& projected,
                                const Load& load) {
@@ -108,7 +109,8 @@ void project_rows(const ViewTransform& view_transform, const MarkRows& m, const 
         project_vector(s, at, projected, [&](int k) HWY_ATTR { return hn::LoadU(d, rows[k] + at); });
 }
 
-// The share of a mark's area that is drawn. `place` is 1 - rank. The area grows from 0 as `shown` rises above `place`.
+// Returns the share of a mark's area that is drawn. `place` is 1 - rank. As `shown` rises above `place`, the area grows
+// from 0.
 HWY_INLINE W grown(W place, W shown, float fade) {
     const F d;
     const W rest = hn::Sub(shown, place);
@@ -129,7 +131,7 @@ HWY_INLINE M inside(const Selection& j, const ProjectedMarks& projected, std::in
                    hn::Gt(hn::LoadU(d, projected.pixels_per_unit + at), hn::Zero(d)));
 }
 
-// The share of the marks that is shown for a tone.
+// Returns the share of the marks that is shown for a tone.
 HWY_INLINE W shown_for(const Selection& j, W tau, W nu) {
     const F d;
     const W one = hn::Set(d, 1.0F);
@@ -149,7 +151,7 @@ HWY_INLINE W shown_for(const Selection& j, W tau, W nu) {
 
 HWY_INLINE std::int32_t count(M mask) { return static_cast<std::int32_t>(hn::CountTrue(F(), mask)); }
 
-// Returns how much of each front mark is drawn, and counts the reasons why others are not.
+// Returns how much of each front mark is drawn. Counts the reasons why marks are not drawn.
 HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M front, Selected& selected) {
     const F d;
     const W zero = hn::Zero(d);
@@ -201,7 +203,7 @@ void select(const Selection& j, const MarkRange& range, const ProjectedMarks& pr
         const std::int32_t fronts = count(faces);
         selected.fronts += fronts;
         selected.backs += count(valid) - fronts;
-        // Lanes after the last mark hold garbage, which must not become an index into a table.
+        // Lanes after the last mark hold arbitrary bits, which must not become an index into a table.
         const W tau = hn::IfThenElseZero(all, hn::LoadU(d, taus + at));
         const W front = front_of(j, nu, place, tau, tau_depth, faces, selected);
         hn::StoreU(front, d, selected.front + at);

@@ -10,11 +10,11 @@
 
 namespace hrbfnpr::frame {
 
-// How normals in an item's own space are lit. light.h makes tones from the result.
+// How normals in the space of an item are lit. light.h makes tones from the result.
 struct Light {
-    bool rigid;         // `towards` is a direction in the item's own space, so `normal` is not used
-    float normal[3][3]; // takes normals to the space of the light
-    float towards[3];   // unit vector towards the light
+    bool rigid;         // If true, `towards` is in the space of the item and `normal` is not used.
+    float normal[3][3]; // transforms normals to the space of the light
+    float towards[3];   // a unit vector towards the light
 };
 
 // The matrices that take the positions and normals of a set to the picture, as rows.
@@ -24,9 +24,9 @@ struct ViewTransform {
     bool rigid;         // the matrix `normal` keeps lengths
     float normal[3][3]; // to eye space
     Light light;
-    float centre[3]; // centre of projection, eye space; if `parallel`, the direction of all lines of sight
+    float centre[3]; // in eye space: the centre of projection or, if `parallel`, the direction of all lines of sight
     bool parallel;
-    float pixels; // pixels per eye unit where w is 1
+    float pixels; // the number of pixels per eye unit where w is 1
 };
 
 // The first marks of a cluster.
@@ -35,10 +35,10 @@ struct MarkRange {
     std::int64_t count; // <= ProjectedMarks::most
 };
 
-// Marks with an array for each of their numbers. A vector may read beyond the last mark.
+// Marks, with an array for each coordinate. A vector may read beyond the last mark.
 struct MarkRows {
     const float *x, *y, *z, *nx, *ny, *nz;
-    const float *tone_x, *tone_y, *tone_z; // normals for n . l
+    const float *tone_x, *tone_y, *tone_z; // the normals for n . l
     std::int64_t count;
 };
 
@@ -49,20 +49,21 @@ struct ProjectedRows {
 
 struct ProjectedMarks {
     static constexpr std::int64_t most = marks::most_in_cluster;
-    float x[most], y[most];           // pixels
+    float x[most], y[most];           // in pixels
     float window[most];               // depth in the camera's convention
-    float depth[most];                // eye units along the view
-    float pixels_per_unit[most];      // pixels per eye unit; <= 0 or NaN: behind the camera's plane
+    float depth[most];                // eye units along the viewing direction
+    float pixels_per_unit[most];      // pixels per eye unit; <= 0 or NaN if the mark is behind the plane of the camera
     float nu[most];                   // n . v
     float lit[most];                  // n . l
-    float side_x[most], side_y[most]; // x and y of the unit normal, eye space
-    float along[most];                // how far a unit step of v goes along the view
-    float distance[most];             // from the centre of projection, eye units; parallel: depth
+    float side_x[most], side_y[most]; // x and y of the unit normal in eye space
+    float along[most];                // how far a unit step along v goes in the viewing direction
+    // Distance from the centre of projection in eye units; with parallel lines of sight, the depth.
+    float distance[most];
 };
 
-// The rules by which the front marks of one cluster are drawn as ink.
+// The rules for drawing the front marks of a cluster as ink.
 struct Selection {
-    // The screen, widened by the strip in which a disc can still reach it. all_inside: all marks surely lie in this
+    // The window plus a strip around it in which discs may still touch it. all_inside: all marks are certainly in this
     // area.
     float left, right, top, bottom;
     bool all_inside;

@@ -24,17 +24,17 @@
 namespace hrbfnpr::frame {
 namespace {
 
-using ll = long long; // the type that messages print
+using ll = long long; // The type of numbers in messages.
 
-constexpr std::int64_t marks_a_call = 4096;     // a tone callback gets at most this many marks
-constexpr std::int64_t most_marks = 0x7FFFFFFF; // an order key holds a mark and one bit in 32
-// A pose's unit vectors may differ from length 1 by this, since floats are rounded.
+constexpr std::int64_t marks_a_call = 4096;     // The largest number of marks in one call of a tone callback.
+constexpr std::int64_t most_marks = 0x7FFFFFFF; // An order key stores the number of a mark and one bit in 32 bits.
+// The allowed difference of a pose's unit vectors from the length 1. Floats are rounded.
 constexpr double most_off_unit = 1e-2;
-constexpr double farthest = 1e33; // the greatest number that a pose may have, since marks are floats
+constexpr double farthest = 1e33; // The largest number in a pose, because marks are stored as floats.
 
 // ---- Items
 
-// The inverse transpose, scaled to fit into floats. Only the direction of its products counts.
+// Returns the inverse transpose, scaled to the range of floats. Only the directions of its products matter.
 glm::mat3 normal_matrix(const glm::dmat4& m) {
     const glm::dmat3 inverse = glm::inverseTranspose(glm::dmat3(m));
     double largest = 0.0;
@@ -65,8 +65,8 @@ void check_item(std::span<const Item> items, std::int64_t index) {
              ll{index});
 }
 
-// Returns the same camera with its eye space in a unit that suits the farthest distance of items from the eye.
-// Projections give the same pixels for any factor.
+// Returns the same camera with eye space in another unit, which suits the farthest distance of items from the eye.
+// Pixels do not depend on the unit.
 Camera unit_camera(Camera camera, std::span<const Item> items) noexcept {
     double reach = 0.0;
     for (const Item& item : items) {
@@ -80,7 +80,7 @@ Camera unit_camera(Camera camera, std::span<const Item> items) noexcept {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 3; ++row) camera.view[column][row] /= unit;
     for (int column = 0; column < 3; ++column) camera.projection[column] *= unit;
-    double largest = 0.0; // the largest coefficient of w
+    double largest = 0.0; // the largest coefficient in the row of w
     for (int column = 0; column < 4; ++column) largest = std::max(largest, std::abs(camera.projection[column][3]));
     camera.projection /= geometry::unit_for(largest);
     return camera;
@@ -98,7 +98,7 @@ ItemView view_of(const Item& item, const Camera& camera) {
         view.centre = glm::vec3((item.set->bounds.centre() - item.set->origin) / view.unit);
         view.radius = static_cast<float>(0.5 * item.set->bounds.diagonal() / view.unit) * scene_tuning.rounding;
     }
-    // Far from the world's origin, large numbers cancel here, in double.
+    // If items are far from the origin, large numbers cancel here, so it is computed in double.
     view.to_world = item.transform;
     for (int axis = 0; axis < 3; ++axis) view.to_world[axis] *= view.unit;
     view.to_world[3] = item.transform * glm::dvec4(item.set->origin, 1.0);
@@ -120,12 +120,12 @@ ItemView view_of(const Item& item, const Camera& camera) {
 
 // ---- Layers and runs
 
-// Whether the layer is spread over the surface. The caller's own strokes may be few and anywhere. They show neither
-// where the surface is nor where its contours are, and make no tone.
+// Returns whether the layer is spread over the whole surface. The caller's own strokes may be few and anywhere. They do
+// not show where the surface or its contours are, and make no tone.
 bool is_surface(const marks::Layer& layer) noexcept { return !(layer.kind == marks::Kind::own && layer.has_strokes()); }
 
-// Whether the layer takes part. A layer that is not shown may still show where the surface hides other ink, unless its
-// style turns off its contours as well.
+// Returns whether the layer takes part in the drawing. A layer that is not shown may still show where the surface hides
+// other ink, unless its style also turns off its contours.
 bool takes_part(const marks::Layer& layer, const Style& style) noexcept {
     const LayerStyle& own = style.of(layer);
     return layer.count() > 0 && (own.shown || own.contours);
@@ -136,7 +136,8 @@ bool has_surface(const marks::PointSet& set, const Style& style) noexcept {
                        [&](const marks::Layer& layer) { return takes_part(layer, style) && is_surface(layer); });
 }
 
-// The layer whose marks are the splats of an item; -1: none. Stipples are preferred, since they are spread most evenly.
+// Returns the layer whose marks are the splats of an item, or -1. Stipples are preferred, because they are spread most
+// evenly.
 std::int64_t splat_layer(const marks::PointSet& set, const Style& style) {
     const bool any_surface = has_surface(set, style);
     const auto larger = [&](std::int64_t than, std::int64_t i) {
@@ -155,7 +156,7 @@ std::int64_t splat_layer(const marks::PointSet& set, const Style& style) {
     return static_cast<double>(set.layers[stipples].count()) >= enough ? stipples : largest;
 }
 
-// Gives ids to the marks of all layers of all items, drawn or not.
+// Assigns ids to the marks of all layers of all items, whether they are drawn or not.
 void note_layers(const marks::PointSet& set, std::int32_t number, drawing::Drawing& drawing) {
     for (std::int64_t i = 0; i < set.layers.size(); ++i) {
         const std::int64_t before =
@@ -174,7 +175,7 @@ void note_layers(const marks::PointSet& set, std::int32_t number, drawing::Drawi
     }
 }
 
-// Makes the run of a layer without its place in the scene. `splats` says whether its marks are the item's splats.
+// Makes the run of a layer, except its place in the scene. `splats` is true if its marks are the splats of the item.
 Run run_of(const Item& item, const marks::Layer& layer, bool splats, bool any_surface, const Lens& lens) {
     HRBFNPR_ASSERT(layer.count() > 0);
     const Style& style = item.style;
@@ -187,18 +188,18 @@ Run run_of(const Item& item, const marks::Layer& layer, bool splats, bool any_su
     run.normal = layer.normal.data();
     run.clusters = &layer.clusters;
     run.count = layer.count();
-    run.directions = run.is_scattered() ? 3U : own.directions; // a stipple belongs to no direction
+    run.directions = run.is_scattered() ? 3U : own.directions; // A stipple has no direction, so it belongs to both.
     run.draws_front = own.shown && own.share > 0.0F && run.directions != 0;
     if (!published && !run.is_scattered() && run.draws_front) run.shape = own.shape;
     run.makes_tone = is_surface(layer) || !any_surface;
     run.splats = style.hidden_lines != HiddenLines::show && splats;
     run.draws_silhouettes = published && own.contours && is_surface(layer);
-    // If the style gives an overlap, one evenly spread layer is as opaque as all layers together, so only the layer of
-    // the splats paints paper. In published drawings every mark counts.
+    // If the style gives an overlap, only the layer of the splats paints paper, because one evenly spread layer is as
+    // opaque as all layers together. In published drawings all marks paint paper.
     run.paints_paper = style.hidden_lines == HiddenLines::attenuate && (splats || !(style.splat_overlap > 0.0F));
     run.occludes = style.hidden_lines == HiddenLines::hide && splats;
-    // The size of a mark's piece of surface is known for the largest layer. For others it follows from their mark
-    // counts.
+    // The size of a mark's piece of surface is known for the largest layer. For other layers it follows from the ratio
+    // of the mark counts.
     const double ratio = static_cast<double>(item.set->largest()) / static_cast<double>(layer.count());
     const double eye_per_object = mean_scale(item.transform) * static_cast<double>(lens.eye_per_world);
     run.discs = {&style, &own, static_cast<float>(item.set->spacing * std::sqrt(ratio) * eye_per_object)};
@@ -221,8 +222,8 @@ void add_layer(const Run& run, MarkClass mark_class, const float* ink, drawing::
     drawing.layers.push_back(layer);
 }
 
-// Adds the runs of the scene's last item, which is the drawing's item `number`. The other side of a surface has only
-// ink, since the front side shows where the surface is.
+// Adds the runs of the scene's last item, which has the number `number` in the drawing. The runs of the other side of a
+// surface have only ink, because the front side already shows where the surface is.
 void add_runs(Scene& scene, const Item& item, std::int32_t number, std::int64_t first_of_drawing, bool other_side,
               drawing::Drawing& drawing) {
     const std::int64_t splats = splat_layer(*item.set, item.style);
@@ -263,7 +264,7 @@ void read_pose(const Item& item, std::int64_t number, std::int64_t pose_number, 
     if (run->posed >= 0) refuse("has a pose already; give one pose for each layer");
     const auto vector = [&](const base::InView& view, std::int64_t i, const char* name) {
         const glm::dvec3 v(view.get(i, 0), view.get(i, 1), view.get(i, 2));
-        // The comparison is false for NaN, too.
+        // For NaN the comparison is false, too.
         if (!(std::abs(v.x) <= farthest && std::abs(v.y) <= farthest && std::abs(v.z) <= farthest))
             fail(Status::invalid_argument,
                  "items[%lld].poses[%lld].%s[%lld] is %g %g %g; numbers must be finite and at most 1e33", ll{number},
@@ -291,8 +292,8 @@ void read_pose(const Item& item, std::int64_t number, std::int64_t pose_number, 
     }
 }
 
-// Points the runs of posed layers to the moved marks, and grows the items' balls. From here on the drawing's arrays of
-// poses must not move.
+// Makes the runs of posed layers refer to the moved marks, and enlarges the bounding balls of items. After this, the
+// drawing's arrays of poses must not move.
 void pose_runs(Scene& scene, const drawing::Drawing& drawing) {
     for (const drawing::Run& run : drawing.runs) {
         ItemView& view = scene.items[run.item];
@@ -320,7 +321,8 @@ void pose_runs(Scene& scene, const drawing::Drawing& drawing) {
 void add_turned_runs(Scene& scene) {
     std::int64_t marks = 0;
     for (const Run& run : scene.runs) marks += run.turned ? run.count : 0;
-    if (marks > 0) scene.turned.reserve(scene.runs.size()); // runs point to elements of this list
+    // Runs point to the elements of this list, so it must not move.
+    if (marks > 0) scene.turned.reserve(scene.runs.size());
     scene.turned_normal.resize_for_overwrite(3 * marks);
     float* to = scene.turned_normal.data();
     std::int64_t number = 0;
@@ -360,7 +362,7 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& given, draw
         note_layers(*item.set, number, drawing);
         add_runs(scene, item, number++, first, false, drawing);
     }
-    // The other sides come last, with the numbers of their front sides.
+    // The other sides come last. They have the numbers of their front sides.
     std::int64_t first = 0;
     number = 0;
     for (const Item& item : items) {
@@ -396,7 +398,7 @@ glm::vec3 Run::tone_normal_of(std::int64_t mark) const noexcept {
 
 void ToneCalls::begin(const ItemView& item, float* out, std::int64_t stride) noexcept {
     HRBFNPR_ASSERT(item.style.tone_function != nullptr && stride > 0);
-    places_.clear(); // a failed frame leaves places here
+    places_.clear(); // If the last frame failed, its places may still be in the list.
     positions_.clear();
     normals_.clear();
     item_ = &item;
@@ -472,7 +474,7 @@ struct Angle {
 
 [[nodiscard]] Angle sum(const Angle& a, const Angle& b) noexcept {
     const float sine = a.sine * b.cosine + a.cosine * b.sine;
-    if (sine < 0.0F) return {-1.0F, 0.0F}; // beyond pi
+    if (sine < 0.0F) return {-1.0F, 0.0F}; // The angle is beyond pi.
     return {a.cosine * b.cosine - a.sine * b.sine, sine};
 }
 
@@ -480,7 +482,7 @@ struct Range {
     float least, most;
 };
 
-// The cosines of all angles that differ by at most `spread` from the angle whose cosine is `middle`.
+// Returns the range of cosines of all angles that differ by at most `spread` from the angle with the cosine `middle`.
 [[nodiscard]] Range cosines(float middle, const Angle& spread) noexcept {
     HRBFNPR_ASSERT(spread.sine >= 0.0F && spread.sine <= 1.001F && std::abs(spread.cosine) <= 1.001F);
     middle = std::clamp(middle, -1.0F, 1.0F);
@@ -570,7 +572,7 @@ ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, co
     const float w = dot_row(view_transform.clip[3]);
     const float w_most = w + radius * frustum.w_norm;
     if (w_most > 0.0F) view.pixels_per_unit = lens.pixels / (w > 0.0F ? w : w_most);
-    if (!(w - radius * frustum.w_norm > 0.0F)) return view; // some marks may be behind the camera's plane
+    if (!(w - radius * frustum.w_norm > 0.0F)) return view; // Some marks may be behind the plane of the camera.
     view.nearest = w - radius * frustum.w_norm;
     const FrustumSides sides = sight.inside ? FrustumSides{} : frustum_sides_of(eye, radius, frustum);
     view.beyond = sides.beyond / w_most;
@@ -595,9 +597,9 @@ ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, co
     return view;
 }
 
-// At a place v from the eye, a normal n in the cone has n . v >= |v| cos(a + c), where a is the angle between v and the
-// axis and c is that of the cone. Elsewhere in the ball n . v is smaller by at most the ball's radius. The test takes
-// no root.
+// Returns whether all marks face away. For a place v relative to the eye, a normal n in the cone has n . v >= |v| cos(a
+// + c). Here a is the angle between v and the axis, and c that of the cone. Elsewhere in the ball, n . v is less by at
+// most the radius of the ball. The test avoids square roots.
 bool faces_away(const marks::Extent& extent, const ItemSight& sight) noexcept {
     HRBFNPR_ASSERT(extent.radius >= 0.0F);
     if (!sight.view_transform.rigid || !(extent.cone.cosine > 0.0F)) return false;

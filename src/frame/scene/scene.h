@@ -38,22 +38,22 @@ using drawing::Splat;
 
 // ---- Pens and runs
 
-// Where the marks of one layer are in this drawing. Each view has an element for each mark of the layer.
+// The positions of the marks of one layer in this drawing. Each view has one element for each mark of the layer.
 struct Pose {
     std::int64_t layer = 0;
-    base::InView position;  // absolute
-    base::InView normal;    // unit
-    base::InView direction; // unit; or empty
+    base::InView position;  // absolute positions
+    base::InView normal;    // unit vectors
+    base::InView direction; // unit vectors, or empty
 };
 
 struct Item {
     const marks::PointSet* set = nullptr;
-    const implicit::Implicit* model = nullptr; // if it is given, visibility is exact
+    const implicit::Implicit* model = nullptr; // if given, visibility is exact
     Style style;
     glm::dmat4 transform{1.0};
-    std::span<const Pose> poses; // the caller keeps them
+    std::span<const Pose> poses; // The caller owns the poses.
     const curves::LineSet* lines = nullptr;
-    bool both_sides = false; // marks are drawn on the inside of the surface, too
+    bool both_sides = false; // If true, marks are drawn on the inside of the surface, too.
 };
 
 // ---- How it is seen
@@ -63,9 +63,9 @@ struct Item {
 struct DiscSizes {
     const Style* style = nullptr; // the caller keeps both
     const LayerStyle* layer = nullptr;
-    float spacing = 0.0F;     // a mark represents spacing^2 of surface; eye units
-    float separation = 0.0F;  // distance between neighbouring strokes of the group, eye units; 0: not known
-    float zoom_at_one = 0.0F; // the zoom where a pixel is an eye unit; 0: no reference, and the zoom is 1
+    float spacing = 0.0F;     // the square root of the surface area that a mark represents, in eye units
+    float separation = 0.0F;  // the distance between neighbouring strokes of the group, in eye units; 0: not known
+    float zoom_at_one = 0.0F; // The zoom at which a pixel is an eye unit. 0: there is no reference, and the zoom is 1.
     float largest_splat = 0.0F;
 
     [[nodiscard]] float zoom(float pixels_per_unit) const noexcept {
@@ -81,11 +81,11 @@ struct DiscSizes {
         return grown(style->silhouette_radius, style->silhouette_radius_zoom, pixels_per_unit);
     }
     [[nodiscard]] float front_splat(float pixels_per_unit) const noexcept {
-        // One pixel at least, so that small drawings are covered as well.
+        // The radius is at least one pixel, so that small drawings are covered, too.
         const float own = std::max(1.0F, scene_tuning.splat_spacings * spacing * pixels_per_unit);
         return std::min(style->splat_radius > 0.0F ? style->splat_radius : own, largest_splat);
     }
-    // The area scales with the zoom. An automatic splat follows the zoom already, so only the halo is scaled.
+    // The area scales with the zoom. An automatic splat already follows the zoom, so only the halo is scaled.
     [[nodiscard]] float back_splat(float pixels_per_unit) const noexcept {
         const float shrink = std::sqrt(scale(pixels_per_unit));
         if (style->splat_radius > 0.0F)
@@ -107,25 +107,25 @@ private:
     }
 };
 
-// One item as the frame sees it. Its matrices apply to places relative to the set's origin, in `unit`.
+// An item in the frame. Its matrices apply to positions relative to the origin of the set, in units of `unit`.
 struct ItemView {
     Style style;
     bool both_sides = false;
     const implicit::Implicit* model = nullptr;
     const curves::LineSet* lines = nullptr;
-    glm::dvec3 origin{0.0}; // the set's positions are relative to it
+    glm::dvec3 origin{0.0}; // The origin of the set's positions.
     double unit = 1.0;      // the unit of lengths in the set's clusters
-    glm::vec3 centre{0.0F}; // centre of a ball around the marks, relative to `origin`, in `unit`
+    glm::vec3 centre{0.0F}; // the centre of a bounding ball of the marks, relative to `origin`, in `unit`
     float radius = 0.0F;
     glm::mat3 to_eye{1.0F};
     glm::vec3 eye_offset{0.0F};
-    glm::mat3 normal_to_eye{1.0F}; // an inverse transpose, so that normals stay outward under mirrors, too
+    glm::mat3 normal_to_eye{1.0F}; // an inverse transpose, so that normals point outward even if the transform mirrors
     Light light{};
     glm::dmat4 to_world{1.0};
     glm::mat3 normal_to_world{1.0F};
 };
 
-// The marks of one layer of one item that take part in the drawing.
+// Those marks of a layer of an item that take part in the drawing.
 struct Run {
     const marks::Layer* marks = nullptr;
     const LayerStyle* style = nullptr;
@@ -134,44 +134,46 @@ struct Run {
     // item's pose, or to the other side.
     const float* position = nullptr;
     const float* normal = nullptr;
-    const float* posed_direction = nullptr; // NULL: the pose has none
+    const float* posed_direction = nullptr; // NULL if the pose has no directions
     const marks::MarkClusters* clusters = nullptr;
-    std::int32_t item = 0;        // the item's number in the scene
-    std::int32_t source = 0;      // the item's number in the drawing
-    std::int32_t layer = 0;       // the layer's number in the item's set
-    std::uint32_t first_id = 0;   // the id of its first mark in the drawing
-    std::int64_t first = 0;       // the number of its first mark, counted over all runs
-    std::int64_t count = 0;       // the number of its marks
-    std::int64_t first_place = 0; // the first of its places in clusters' blocks, counted over all runs
-    std::uint32_t directions = 3; // directions of strokes that are front ink: bit 0 the first, bit 1 the second
-    Shape shape = Shape::dots;    // how front ink is drawn: marks that form no strokes are dots whatever the style says
+    std::int32_t item = 0;      // the index of the item in the scene
+    std::int32_t source = 0;    // the index of the item in the drawing
+    std::int32_t layer = 0;     // the index of the layer in the item's set
+    std::uint32_t first_id = 0; // the id of its first mark in the drawing
+    std::int64_t first = 0;     // the number of its first mark among the marks of all runs
+    std::int64_t count = 0;     // the number of its marks
+    // The number of its first place in the blocks of clusters, among the places of all runs.
+    std::int64_t first_place = 0;
+    std::uint32_t directions = 3; // the directions whose strokes are front ink; bit 0 is the first, bit 1 the second
+    Shape shape = Shape::dots;    // How front ink is drawn. Marks without strokes are always dots.
     bool draws_front = false;
-    bool makes_tone = true; // the ink of the run counts towards the tone of its item
-    bool splats = false;    // the run's marks are the splats that show where the layers of its item are
-    bool turned = false;    // it shows the other side of the surface: its normals are opposite to those of the marks
-    // With VISIBILITY_PUBLISHED only.
+    bool makes_tone = true; // true if the ink of the run counts for the tone of its item
+    bool splats = false;    // true if the marks are the splats that show where the layers of the item are
+    // True for the other side of the surface. Its normals are opposite to the normals of the marks.
+    bool turned = false;
+    // only with VISIBILITY_PUBLISHED
     bool draws_silhouettes = false;
-    bool paints_paper = false; // HIDDEN_LINES_ATTENUATE
-    bool occludes = false;     // HIDDEN_LINES_HIDE
+    bool paints_paper = false; // true with HIDDEN_LINES_ATTENUATE
+    bool occludes = false;     // true with HIDDEN_LINES_HIDE
 
     [[nodiscard]] std::int64_t places() const noexcept { return clusters->block.size() * marks::MarkBlock::size; }
     [[nodiscard]] bool is_posed() const noexcept { return position != marks->position.data(); }
     [[nodiscard]] bool is_scattered() const noexcept { return !marks->has_strokes(); }
-    // Whether its marks are in a blue-noise order.
+    // Returns whether the marks are in a blue-noise order.
     [[nodiscard]] bool is_even() const noexcept { return marks->progressive; }
     [[nodiscard]] bool draws_direction(std::uint32_t set) const noexcept {
         return directions == 3U || (directions >> set & 1U) != 0;
     }
     [[nodiscard]] glm::vec3 position_of(std::int64_t mark) const noexcept { return vector_of(position, mark); }
     [[nodiscard]] glm::vec3 normal_of(std::int64_t mark) const noexcept { return vector_of(normal, mark); }
-    // In the item's unit.
+    // Returns the position of a mark in the item's unit.
     [[nodiscard]] glm::vec3 place_of(std::int64_t mark, double unit) const noexcept {
         return glm::vec3(glm::dvec3(position_of(mark)) / unit);
     }
     [[nodiscard]] bool has_tone_normals() const noexcept { return !marks->tone_normal.empty(); }
-    // The normal from which tone is found. In a posed layer it is turned together with normal and direction.
+    // Returns the normal for tone. In a posed layer, it is rotated together with normal and direction.
     [[nodiscard]] glm::vec3 tone_normal_of(std::int64_t mark) const noexcept;
-    // Radius of the ink of a front mark, by its number in the layer.
+    // Returns the radius of the ink of a front mark, given by its number in the layer.
     [[nodiscard]] float front_ink(std::int64_t mark, float pixels_per_unit) const noexcept {
         const float radius = discs.front_ink(pixels_per_unit);
         return marks->width.empty() ? radius : radius * marks->width[mark];
@@ -184,7 +186,7 @@ private:
     }
 };
 
-// Strokes of lines or of hatching, before they are sorted into the drawing.
+// The strokes of lines or hatching, before they are sorted into the drawing.
 struct LineStrokes {
     explicit LineStrokes(base::Memory& memory) noexcept : strokes(memory), points(memory) {}
 
@@ -199,12 +201,12 @@ struct Scene {
         : items(memory), runs(memory), posed(memory), turned(memory), turned_normal(memory) {}
 
     Lens lens;
-    Camera camera;               // the camera; its eye space is measured in the frame's unit
-    base::Array<ItemView> items; // items for the other sides come last
+    Camera camera;               // The camera. The unit of its eye space is that of the frame.
+    base::Array<ItemView> items; // The items. Those for the other sides come last.
     base::Array<Run> runs;
-    base::List<marks::MarkClusters> posed;  // clusters of the layers whose marks have moved
-    base::List<marks::MarkClusters> turned; // clusters of the runs of the other sides
-    base::Array<float> turned_normal;       // normals of the marks of those runs, run after run
+    base::List<marks::MarkClusters> posed;  // the clusters of layers with moved marks
+    base::List<marks::MarkClusters> turned; // the clusters of the runs of the other sides
+    base::Array<float> turned_normal;       // the normals for these runs, run after run
 
     [[nodiscard]] const ItemView& item_of(const Run& run) const noexcept { return items[run.item]; }
     [[nodiscard]] std::int64_t mark_count() const noexcept {
@@ -216,19 +218,19 @@ struct Scene {
     [[nodiscard]] std::int64_t bytes() const noexcept { return items.bytes() + runs.bytes() + turned_normal.bytes(); }
 };
 
-// Fills lens, camera, items and runs of the scene, and window, paper, layers, items, runs and poses of the drawing. The
-// drawing has a layer of front ink for each run. In a published drawing, a layer of contours follows each of them.
+// Sets lens, camera, items and runs of the scene, and window, paper, layers, items, runs and poses of the drawing. The
+// drawing has a layer of front ink for each run. In a published drawing, each is followed by a layer of contours.
 // Throws Error{invalid_argument}.
 void set_up(Scene& scene, std::span<const Item> items, const Camera& given, drawing::Drawing& drawing);
 
-// Asks a style's tone callback for tau, on the thread that entered the library.
+// Asks a style's callback for tones, on the thread that called the library.
 class ToneCalls {
 public:
     explicit ToneCalls(base::Memory& memory) noexcept
         : positions_(memory), normals_(memory), tau_(memory), places_(memory) {}
 
-    // The tone of each added mark goes to out[stride * place]. Call begin() before the marks of an item, and end()
-    // after them.
+    // The tone of each added mark is written to out[stride * place]. Call begin() before the marks of an item, and
+    // end() after them.
     void begin(const ItemView& item, float* out, std::int64_t stride) noexcept;
     void add(const glm::vec3& own_position, const glm::vec3& own_normal, std::int64_t place);
     void end();
@@ -247,7 +249,7 @@ private:
 
 // ---- Bounds that hold for many marks at once: for all that lie in a ball and have normals in a cone
 
-// One item seen from its own space.
+// An item as seen from the coordinates of its own space.
 struct ItemSight {
     ViewTransform view_transform; // `rigid` if the transform keeps angles, so that cones of normals stay cones
     float scale = 1.0F;           // the largest number of eye units per object unit
@@ -256,35 +258,35 @@ struct ItemSight {
     glm::vec3 light{0.0F};        // unit, object space, if the transform is rigid
 };
 
-// The sides of the frustum in eye space: plane . (eye, 1) >= 0 inside.
+// The sides of the frustum in eye space. Inside, plane . (eye, 1) >= 0.
 struct Frustum {
     std::array<glm::vec4, 6> plane; // left, right, top, bottom, near, far
-    std::array<float, 6> norm;      // the length of the first three numbers of each plane
+    std::array<float, 6> norm;      // for each plane: the length of its first three numbers
     float w_norm = 0.0F;
 };
 
 [[nodiscard]] Frustum frustum_of(const Lens& lens) noexcept;
 [[nodiscard]] ItemSight sight_of(const ItemView& item, const Lens& lens, const Frustum& frustum) noexcept;
 
-// Bounds that hold for all marks of a cluster or of a piece of a stroke.
+// Bounds for all marks of a cluster, or of a piece of a stroke.
 struct ClusterView {
-    float beyond = -1.0F; // a lower bound of the distance of all marks outside the picture, pixels; < 0: not known
-    bool inside = false;  // all marks surely lie in the picture
-    float pixels_per_unit = 1.0F; // at the centre
-    // A lower bound of w of the projection; 0: some marks may be behind the camera's plane.
+    float beyond = -1.0F; // A lower bound in pixels for the distance of marks outside the picture. Below 0: not known.
+    bool inside = false;  // true if all marks are certainly in the picture
+    float pixels_per_unit = 1.0F; // at the centre of the ball
+    // A lower bound for w of the projection. 0: some marks may be behind the plane of the camera.
     float nearest = 0.0F;
     float nu_min = -1.0F;
     float nu_max = 1.0F;
-    float lit_min = -1.0F; // from the normals; tone may use other normals
+    float lit_min = -1.0F; // Bounds of n . l by the normals of the marks. Tone may use other normals.
 };
 
 [[nodiscard]] ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, const Lens& lens,
                                        const Frustum& frustum) noexcept;
 
-// Whether n . v > 0 at all marks. It is false where a quick test cannot tell.
+// Returns whether n . v > 0 for all marks. It returns false if the quick test cannot decide.
 [[nodiscard]] bool faces_away(const marks::Extent& extent, const ItemSight& sight) noexcept;
 
-// A lower bound of n . l over the normals for tone of the piece.
+// Returns a lower bound of n . l for the piece's normals for tone.
 [[nodiscard]] float least_lit(const marks::StrokePiece& piece, const ItemSight& sight) noexcept;
 
 } // namespace hrbfnpr::frame

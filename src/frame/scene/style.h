@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A style as the frame sees it. The boundary has checked it, and every field has the meaning that it has in
+// A style in the form that the frame uses. It has already been checked. Every field has the same meaning as in
 // hrbfnpr_style. [NPAR 6]
 #pragma once
 
@@ -28,8 +28,8 @@ enum class Shape : std::uint32_t { dots = 0, strokes = 1, hatch = 2 };
 using curves::LineKind;
 
 struct LayerStyle {
-    marks::Kind kind = marks::Kind::any; // the kind of the layers that this is for
-    const char* name = nullptr;          // the name of the layers that this is for; NULL: any name
+    marks::Kind kind = marks::Kind::any; // the kind of layers that this style applies to
+    const char* name = nullptr;          // the name of layers that this style applies to; NULL: any name
     bool shown = true;
     bool contours = true;
     std::uint32_t directions = 3;
@@ -59,10 +59,10 @@ struct LayerStyle {
 
 enum class HiddenParts : std::uint32_t { none = 0, attenuated = 1, dashed = 2, shown = 3 };
 
-// How lines of one kind are drawn. Every field has the meaning that it has in hrbfnpr_line_style.
+// The style of one kind of lines. Every field has the same meaning as in hrbfnpr_line_style.
 struct LineStyle {
     LineKind kind = LineKind::contour;
-    const char* name = nullptr; // the name of lines that are found once; NULL: any name
+    const char* name = nullptr; // the name of the lines found once that this style applies to; NULL: any name
     HiddenParts hidden = HiddenParts::none;
     drawing::Cap cap = drawing::Cap::round; // the shape of free ends
     float width = 2.0F;
@@ -74,7 +74,7 @@ struct LineStyle {
     float shortest = 2.0F;
     float fade = 1.0F;
     double lower = 0.0, upper = 0.0;
-    std::span<const double> levels; // n . l on each isophote
+    std::span<const double> levels; // the n . l of each isophote
     float ink[4] = {0.0F, 0.0F, 0.0F, 1.0F};
     float outline_factor = 1.0F;
     float far_factor = 1.0F;
@@ -117,10 +117,10 @@ struct Style {
     glm::vec4 silhouette_ink{0.0F, 0.0F, 0.0F, 1.0F};
     float silhouette_radius = 1.0F;
     float silhouette_radius_zoom = 0.0F;
-    std::span<const LayerStyle> layers; // the caller keeps both lists
+    std::span<const LayerStyle> layers; // The caller owns both lists.
     std::span<const LineStyle> lines;
 
-    // The first style that is for the layer, or the default one.
+    // Returns the first style that applies to the layer, or the default style.
     [[nodiscard]] const LayerStyle& of(const marks::Layer& layer) const noexcept {
         static constexpr LayerStyle default_layer{};
         for (const LayerStyle& style : layers)

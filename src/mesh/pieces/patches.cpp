@@ -188,7 +188,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
         const double angle = angle_at(mesh.corners(corner / 3), static_cast<std::size_t>(corner % 3));
         const double turned = turned_at(mesh, normals, corner, corner);
         here += angle * turned;
-        // Of the two corners at the far side, the one that turns less is used, because the other may be at a tip, too.
+        // The smaller turn of the two corners at the far side is used, because the other corner may be at a tip, too.
         beyond += angle * std::min(turned_at(mesh, normals, corner, first + (corner + 1) % 3),
                                    turned_at(mesh, normals, corner, first + (corner + 2) % 3));
         angles += angle;

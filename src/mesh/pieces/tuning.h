@@ -50,7 +50,7 @@ struct CreaseTuning {
     std::int64_t scrap_faces = 10;
     double scrap_size = 0.002;
     // At a smooth cut, each sheet is also fitted to faces beyond the cut. They are at most this many diagonals from the
-    // cut, and at most `band` times as far from it as the crease is. Larger: the sheets agree better at the cut, and
+    // cut, and at most `band_share` times the distance of the crease. Larger: the sheets agree better at the cut, and
     // have more centres.
     double widest_band = 0.04;
     double band_share = 0.4;
