@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chains of points: how they are stored, cut into parts, and refined.
+// Chains of points: their storage, their division into parts, and the insertion of points.
 #pragma once
 
 #include "base/assert.h"
@@ -15,8 +15,9 @@ template <class T>
 struct Chains {
     explicit Chains(base::Memory& memory) : first(memory, 1), closed(memory), point(memory) {}
 
-    base::Array<std::int64_t> first;  // the first point of each chain; at the end, the number of points
-    base::Array<std::uint8_t> closed; // 1: the first point follows the last one; it is stored once
+    base::Array<std::int64_t> first; // the index of the first point of each chain; at the end, the number of points
+    // For each chain: 1 if the first point follows the last one; the first point is not repeated.
+    base::Array<std::uint8_t> closed;
     base::Array<T> point;
 
     [[nodiscard]] std::int64_t count() const noexcept { return closed.size(); }
@@ -24,17 +25,17 @@ struct Chains {
         HRBFNPR_ASSERT(chain >= 0 && chain < count());
         return first[chain + 1] - first[chain];
     }
-    // The index of the point after point i of a chain; -1: i is the last one.
+    // Returns the index of the point after point i of a chain, or -1 if i is the last point.
     [[nodiscard]] std::int64_t next(std::int64_t chain, std::int64_t i) const noexcept {
         HRBFNPR_ASSERT(i >= first[chain] && i < first[chain + 1]);
         if (i + 1 < first[chain + 1]) return i + 1;
         return closed[chain] != 0 ? first[chain] : -1;
     }
-    // The number of pieces between points.
+    // Returns the number of pieces of a chain. A piece is between two consecutive points.
     [[nodiscard]] std::int64_t pieces_of(std::int64_t chain) const noexcept {
         return size_of(chain) - (closed[chain] != 0 ? 0 : 1);
     }
-    // Makes a chain of the points since the last chain.
+    // Makes a chain of all points added since the end of the last chain.
     void end(bool is_closed) {
         HRBFNPR_ASSERT(first.size() == closed.size() + 1);
         first.push_back(point.size());
@@ -44,7 +45,7 @@ struct Chains {
 };
 
 // Calls part(begin, end, whole) for each maximal run of wanted points among the points 0 to count - 1. In a closed
-// chain indices continue past its end: i means point i % count. whole: all points of a closed chain are wanted.
+// chain, an index i past the end means point i % count. `whole` is true if all points of a closed chain are wanted.
 template <class Wanted, class Part>
 void for_parts(std::int64_t count, bool closed, Wanted&& wanted, Part&& part) {
     HRBFNPR_ASSERT(count >= 0);
@@ -62,8 +63,8 @@ void for_parts(std::int64_t count, bool closed, Wanted&& wanted, Part&& part) {
     }
 }
 
-// Calls part(begin, end, whole) for each maximal run of joined points. joined(i) tells whether point i is joined to the
-// next point; it is not called for the last point of an open chain.
+// Calls part(begin, end, whole) for each maximal run of joined points. joined(i) returns whether point i is joined to
+// the next point. It is not called for the last point of an open chain.
 template <class Joined, class Part>
 void for_joined(std::int64_t count, bool closed, Joined&& joined, Part&& part) {
     HRBFNPR_ASSERT(count >= 0);
@@ -81,7 +82,7 @@ void for_joined(std::int64_t count, bool closed, Joined&& joined, Part&& part) {
     }
 }
 
-// Calls visit(i, j) for the points at both ends of each piece.
+// Calls visit(i, j) for the two end points of each piece.
 template <class T, class Visit>
 void for_pieces(const Chains<T>& chains, Visit&& visit) {
     for (std::int64_t c = 0; c < chains.count(); ++c)
@@ -89,9 +90,9 @@ void for_pieces(const Chains<T>& chains, Visit&& visit) {
             if (const std::int64_t j = chains.next(c, i); j >= 0) visit(i, j);
 }
 
-// Inserts points into pieces of chains, and returns whether any was inserted. wanted(chain, i, j, p) tells whether the
-// piece from point i to point j needs a point, and sets p to a guess. bring(points, chains, pieces) improves the
-// guesses and returns 1 for each point to insert, else 0; a piece is given by its first point.
+// Inserts points into pieces of chains. Returns whether it inserted any. wanted(chain, i, j, p) returns whether the
+// piece from point i to point j needs a point, and sets p to a first guess. bring(points, chains, pieces) improves the
+// guesses, and returns 1 for each point to insert, else 0. A piece is given by its first point.
 template <class T, class Wanted, class Bring>
 bool halve_pieces(Chains<T>& chains, Wanted&& wanted, Bring&& bring) {
     base::Memory& memory = chains.first.memory();

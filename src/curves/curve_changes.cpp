@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All changes are found in the same way: if a function has different signs at the ends of a piece, the Illinois method
-// finds its zero. It evaluates the function at points of the piece's cubic that are brought onto the curve.
+// All changes are found in the same way. If a function has different signs at the two ends of a piece, the Illinois
+// method finds its zero. It evaluates the function at points of the piece's cubic, after moving them onto the curve.
 #include "curves/curve_changes.h"
 
 #include "curves/curves.h"
@@ -16,9 +16,9 @@ namespace {
 
 // A zero of a function on a piece of a curve.
 struct Change {
-    std::int64_t piece, next; // the two points of the curve around the zero
+    std::int64_t piece, next; // the points of the curve before and after the zero
     Illinois root;
-    double share = 0.5; // the last evaluated place; finally the zero
+    double share = 0.5; // the position on the piece that was evaluated last; in the end, the zero
 };
 
 // A place on the cubic between two points of a curve, to be brought onto the curve.
@@ -50,7 +50,7 @@ void bring_to_curves(const base::Work& work, const Level& level, base::Array<Cub
     }
 }
 
-// Finds all zeros in parallel; value(place) is the function at a point of the curve. Returns the points.
+// Finds all zeros in parallel, and returns their points. value(place) evaluates the function at a point of the curve.
 template <class Value>
 base::Array<CurvePoint> find_zeros(const base::Work& work, const Level& level, const Curves& curves,
                                    base::Array<Change>& changes, Value&& value, std::int64_t& evaluations) {
@@ -90,17 +90,17 @@ base::Array<CurvePoint> find_zeros(const base::Work& work, const Level& level, c
 
 // ---- Cusps
 
-// v^T H v = v . grad g on the contour: the radial curvature times a positive factor.
+// Returns v^T H v = v . grad g on the contour. It is the radial curvature times a positive factor.
 double radial(const CurvePoint& p, const View& view) noexcept {
     return glm::dot(p.level_gradient, view.sight(p.position));
 }
 
-// Two cusps may lie between two points, so pieces that may have cusps get additional points at these parameters.
+// A piece may contain two cusps between its points, so doubtful pieces get additional points at these parameters.
 constexpr std::array<double, 3> inner_shares = {0.25, 0.5, 0.75};
 
-// Whether the radial curvature may change its sign between the points.
+// Returns whether the radial curvature may change its sign between two points.
 bool changes_between(const CurvePoint& a, const CurvePoint& b, const View& view) noexcept {
-    // The sine of the angle between the curve and the line of sight, with the sign of the radial curvature.
+    // Returns the sine of the angle between the curve and the line of sight, with the sign of the radial curvature.
     const auto sine = [&](const CurvePoint& p) {
         const glm::dvec3 sight = view.sight(p.position);
         return radial(p, view) * glm::length(p.gradient) / (glm::length(sight) * glm::length(p.direction()));
@@ -109,8 +109,8 @@ bool changes_between(const CurvePoint& a, const CurvePoint& b, const View& view)
     const double end = sine(b);
     if (std::min(begin, end) > curve_tuning.clear_of_cusps || std::max(begin, end) < -curve_tuning.clear_of_cusps)
         return false;
-    // Along the cubic the same sign comes from normals interpolated between the ends, up to the length of n x grad g: t
-    // . (n x v) = v . grad g for t = n x grad g.
+    // Along the cubic, the sign of the radial curvature follows from interpolated normals. With t = n x grad g, it is
+    // the sign of t . (n x v) = v . grad g, up to the length of t.
     const CubicPiece cubic(a, b);
     const auto turned = [&](double u) {
         const glm::dvec3 normal = (1.0 - u) * glm::normalize(a.gradient) + u * glm::normalize(b.gradient);
@@ -146,8 +146,8 @@ Curves refined_at_cusps(const base::Work& work, const Level& contour, const View
 
 // ---- The border
 
-// Tells for each point whether the surface exists there. Far from the border, points take the state of the last point
-// near it.
+// Returns for each point whether the surface exists there. Points far from the border have the same state as the last
+// point near it.
 base::Array<std::uint8_t> find_held(const base::Runtime& runtime, const implicit::Domain& domain,
                                     const Curves& curves) {
     constexpr std::uint8_t unknown = 2;
@@ -163,7 +163,7 @@ base::Array<std::uint8_t> find_held(const base::Runtime& runtime, const implicit
         const std::int64_t count = curves.size_of(c);
         std::int64_t begin = 0;
         while (begin < count && holds[first + begin] == unknown) ++begin;
-        // A curve that is nowhere near the border lies on the surface as a whole.
+        // A curve far from the border is entirely on the surface.
         std::uint8_t last = begin < count ? holds[first + begin] : 1;
         for (std::int64_t k = 0; k < count; ++k) {
             std::uint8_t& held = holds[first + (begin + k) % count];
@@ -194,9 +194,10 @@ Curves with_cusps(const base::Work& work, const Level& contour, const View& view
     };
     std::int64_t s = 0;
     for (std::int64_t c = 0; c < curves.count(); ++c) {
-        bool replaced = false; // whether a cusp just before the next point replaces it
+        bool replaced = false; // True if a cusp just before the next point replaces that point.
         for (std::int64_t at = curves.first[c]; at < curves.first[c + 1]; ++at) {
-            const bool is_before = s < changes.size() && changes[s].piece == at; // before a cusp
+            // The next change is a cusp of this curve before this point.
+            const bool is_before = s < changes.size() && changes[s].piece == at;
             const double share = is_before ? changes[s].share : 0.5;
             if (!replaced && !(is_before && share < curve_tuning.at_end)) add(curves.point[at], false);
             replaced = is_before && share > 1.0 - curve_tuning.at_end && changes[s].next > at;
@@ -214,7 +215,7 @@ Curves finer_curves(const base::Work& work, const Level& contour, const View& vi
         CurvePoint point;
         bool halved; // whether the piece that begins here is to be halved
     };
-    Chains<FinePoint> fine(work.memory); // the curves with a mark
+    Chains<FinePoint> fine(work.memory); // the curves that have a marked piece
     base::Array<std::uint8_t> changes(work.memory, curves.count());
     std::int64_t marks = 0;
     for (std::int64_t c = 0; c < curves.count(); ++c) {
@@ -255,7 +256,7 @@ Curves finer_curves(const base::Work& work, const Level& contour, const View& vi
     changed.closed = std::move(fine.closed);
     const Curves with = with_cusps(work, contour, view, changed, evaluations);
     Curves result(work.memory);
-    std::int64_t number = 0; // the index of the next changed curve in `with`
+    std::int64_t number = 0; // the index in `with` of the next changed curve
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         const Curves& from = changes[c] != 0 ? with : curves;
         const std::int64_t curve = changes[c] != 0 ? number++ : c;
@@ -278,10 +279,10 @@ Curves clip(const base::Work& work, const Level& level, const implicit::Domain& 
     std::int64_t evaluations = 0;
     const base::Array<CurvePoint> ends = find_zeros(work, level, curves, changes, beyond, evaluations);
     Curves result(work.memory);
-    // The points of a curve including its ends on the border, and whether the surface exists at each.
+    // The points of a curve and its ends on the border, and for each point whether the surface exists there.
     base::Array<CurvePoint> points(work.memory);
     base::Array<std::uint8_t> held(work.memory);
-    std::int64_t next = 0; // the next change
+    std::int64_t next = 0; // the index of the next change
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         points.clear();
         held.clear();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Changes along curves: cusps of the apparent contour, where the line of sight is tangent to the contour on the surface
-// [Koenderink 1984]; ends, where the surface ends; and points added where a curve is too coarse.
+// [Koenderink 1984]; the ends of curves where the surface ends; and points added where a curve is too coarse.
 #pragma once
 
 #include "curves/curves.h"
@@ -10,19 +10,19 @@
 
 namespace hrbfnpr::curves {
 
-// Adds a point at each place of the contours where v^T H v changes its sign: there the image has a cusp. Adds to
-// `evaluations`. The same bits for any thread count.
+// Adds a point at each place of the contours where v^T H v changes its sign; the image has a cusp there. Adds to
+// `evaluations`. The result has the same bits for any number of threads.
 [[nodiscard]] Curves with_cusps(const base::Work& work, const Level& contour, const View& view, const Curves& given,
                                 std::int64_t& evaluations);
 
-// Halves the marked pieces, and their halves, until the middle of a piece's cubic is off the curve by less than the
-// tolerance in the image, in pixels. marked: one entry for each point, for the piece that begins there. Finds the cusps
-// of curves with a mark again; other curves do not change. Adds to `evaluations`.
+// Halves the marked pieces repeatedly, until the image of a piece's middle is off the curve by less than the tolerance,
+// in pixels. `marked` has an entry for each point, for the piece that begins there. The cusps of changed curves are
+// found again. Other curves do not change. Adds to `evaluations`.
 [[nodiscard]] Curves finer_curves(const base::Work& work, const Level& contour, const View& view, const Curves& curves,
                                   std::span<const std::uint8_t> marked, double tolerance, std::int64_t& evaluations);
 
-// The parts of curves within `domain`, which end exactly on its border. The curves are zero lines of `level`, and each
-// has a part within the domain.
+// Returns the parts of curves that are inside `domain`. They end exactly on its border. The curves are zero lines of
+// `level`, and each has a part inside the domain.
 [[nodiscard]] Curves clip(const base::Work& work, const Level& level, const implicit::Domain& domain,
                           const Curves& curves);
 

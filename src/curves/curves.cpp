@@ -11,12 +11,12 @@
 namespace hrbfnpr::curves {
 namespace {
 
-// The greatest distance from its chord of a cubic that turns by less than a right angle, in chords.
+// The largest distance between a cubic that turns by less than a right angle and its chord, in chords.
 constexpr double piece_bulge = 0.25;
-// This is small enough to split a few hundred points between two threads, and several vectors long.
+// A few hundred points are enough work for two threads with this, and it is several vectors long.
 constexpr std::int64_t points_a_task = 32;
 
-// Evaluates points[order[i]] for each i < count as one batch.
+// Evaluates points[order[i]] for all i < count as one batch.
 void evaluate_some(const Level& level, CurvePoint* points, const std::int32_t* order, std::int64_t count) {
     using Column = std::array<double, static_cast<std::size_t>(points_a_task)>;
     HRBFNPR_ASSERT(count <= points_a_task);
@@ -40,8 +40,8 @@ void evaluate_some(const Level& level, CurvePoint* points, const std::int32_t* o
     }
 }
 
-// Whether the next step is negligible. If s and t = c s^2 are the lengths of the last two steps, the next one has the
-// length t^3 / s^2.
+// Returns whether the next step is negligible. If the last two steps have the lengths s and t = c s^2, the next step
+// has the length t^3 / s^2.
 bool is_last(double step, double step_before, double tolerance) noexcept {
     return step <= tolerance ||
            (step <= curve_tuning.may_be_last * tolerance &&
@@ -49,18 +49,19 @@ bool is_last(double step, double step_before, double tolerance) noexcept {
 }
 
 constexpr std::int64_t vertices_a_task = 16384;
-// The number of points whose Hessians are stored at a time, which limits the use of the stack by a caller's function.
+// The number of points whose Hessians are stored at a time. It limits the stack that a caller's function uses.
 constexpr std::int64_t hessian_block = 32;
-// The value of s where no sample is near. It is too large for any step to lead there.
+// The value of s where no sample is near. It is so large that no Newton step leads there.
 constexpr double unsupported = 1e6;
 
-// Evaluates f with its Hessian in blocks. level(place, grad f, times, slope) returns g at a point and sets slope to its
-// gradient; times(v) is H v there.
+// Evaluates f and its Hessian in blocks. level(place, grad f, times, slope) returns g at a point and sets slope to its
+// gradient. times(v) returns H v at the point.
 template <class LevelAt>
 void evaluate_blocks(const implicit::Implicit& surface, const implicit::PointBatch& points, const LevelBatch& out,
                      LevelAt&& level) {
     HRBFNPR_ASSERT(points.count >= 0 && points.count <= implicit::batch_size);
-    std::array<std::array<double, static_cast<std::size_t>(hessian_block)>, 6> h; // xx xy xz yy yz zz of each point
+    // The second derivatives xx xy xz yy yz zz of each point.
+    std::array<std::array<double, static_cast<std::size_t>(hessian_block)>, 6> h;
     for (std::int64_t begin = 0; begin < points.count; begin += hessian_block) {
         const std::int64_t end = std::min(points.count, begin + hessian_block);
         implicit::FieldBatch fields{
@@ -82,7 +83,7 @@ void evaluate_blocks(const implicit::Implicit& surface, const implicit::PointBat
     }
 }
 
-// Sets the gradients so that CurvePoint::direction(), gradient x level_gradient, is the tangent.
+// Sets the gradients so that CurvePoint::direction(), the cross product of gradient and level_gradient, is the tangent.
 void set_tangent(CurvePoint& p, const glm::dvec3& tangent, bool as_given) noexcept {
     glm::dvec3 n = glm::normalize(p.gradient);
     const double square = glm::dot(tangent, tangent);
@@ -94,7 +95,7 @@ void set_tangent(CurvePoint& p, const glm::dvec3& tangent, bool as_given) noexce
     p.level_gradient = length > 0.0 ? glm::cross(along / length, n) : glm::cross(tangent, n);
 }
 
-// n . v, negative where the eye sees the outside of the surface.
+// Returns n . v. It is negative where the eye sees the outside of the surface.
 double facing(const glm::dvec3& gradient, const glm::dvec3& place, const View& view) noexcept {
     return glm::dot(gradient, view.sight(place)) / glm::length(gradient);
 }
@@ -103,7 +104,7 @@ double facing(const glm::dvec3& gradient, const glm::dvec3& place, const View& v
 
 // ---- Levels
 
-// grad g = H v + grad f if v depends on the point, else H v.
+// If v depends on the point, grad g = H v + grad f. Otherwise it is H v.
 void ContourLevel::evaluate(const implicit::PointBatch& points, const LevelBatch& out) const {
     const double own = view_.eye.w == 0.0 ? 0.0 : 1.0;
     evaluate_blocks(surface_, points, out,
@@ -122,7 +123,7 @@ void ContourLevel::at_vertices(const base::Work& work, const SurfaceMesh& mesh, 
     });
 }
 
-// The normal changes with the place by the Hessian over |grad f|.
+// The change of the normal with the place is the Hessian divided by |grad f|.
 void SupportLevel::evaluate(const implicit::PointBatch& points, const LevelBatch& out) const {
     evaluate_blocks(surface_, points, out,
                     [&](const glm::dvec3& p, const glm::dvec3& gradient, const auto& times, glm::dvec3& slope) {
@@ -140,8 +141,8 @@ void SupportLevel::at_vertices(const base::Work& work, const SurfaceMesh& mesh, 
 
 // ---- Points and curves
 
-// The step for g uses the part of grad g perpendicular to grad f, because the product J J^T would lose half of the
-// digits where the gradients are nearly parallel.
+// The step for g uses the part of grad g that is perpendicular to grad f. With the product J J^T, half of the digits
+// would be lost where the gradients are nearly parallel.
 glm::dvec3 CurvePoint::newton_step() const noexcept {
     const double slope = glm::length(gradient);
     const glm::dvec3 normal = gradient / slope;
@@ -151,7 +152,7 @@ glm::dvec3 CurvePoint::newton_step() const noexcept {
     return -height * normal - (level - along * height) / glm::dot(across, across) * across;
 }
 
-// Sorts the points by the surface's cells, if it has cells and sorting saves time.
+// Evaluates the points. If it saves time, they are first sorted by the surface's cells.
 void evaluate(const base::Work& work, const Level& level, base::Array<CurvePoint>& points) {
     base::Array<std::int32_t> order(work.memory);
     if (points.size() > points_a_task) order = implicit::order_by_cell(work, level.surface(), positions_of(points));
@@ -229,9 +230,9 @@ std::int64_t bisect(const base::Work& work, const Level& level, const base::Arra
     for (int step = 0; step < halvings; ++step) {
         for (std::int64_t i = 0; i < places.size(); ++i)
             points[i].position = 0.5 * (between[i].negative + between[i].positive);
-        // The middle of a chord is off the surface by the square of the chord's length; one step leaves the fourth
-        // power of it. A step longer than half of the chord leads to another place. This happens where f hardly rises
-        // or has a crease.
+        // The distance of a chord's middle from the surface is proportional to the square of the chord's length. After
+        // one Newton step it is proportional to the fourth power. A step longer than half of the chord leads to another
+        // place: f hardly rises there, or has a crease.
         evaluate(work, level, points);
         for (std::int64_t i = 0; i < places.size(); ++i) {
             const glm::dvec3 middle = points[i].position;
@@ -361,12 +362,12 @@ SurfaceLines parts_where(const SurfaceLines& lines, const base::Array<double>& v
     SurfaceLines parts(value.memory());
     LineBuilder builder(parts, as_given);
     const auto wanted = [&](std::int64_t i) { return (value[i] < 0.0) == below; };
-    // Adds the place where the value vanishes between a wanted point and an unwanted one.
+    // Adds the point between a wanted and an unwanted point at which the value is 0.
     const auto put_between = [&](std::int64_t a, std::int64_t b) {
         const CurvePoint& p = curves.point[a];
         const CurvePoint& q = curves.point[b];
         const double u = std::clamp(value[a] / (value[a] - value[b]), 0.0, 1.0);
-        // If a wanted point coincides with the place where the value vanishes, it is the end.
+        // If the wanted point coincides with the zero, the wanted point is the end.
         if ((u < curve_tuning.at_point && wanted(a)) || (u > 1.0 - curve_tuning.at_point && wanted(b))) return;
         const auto strength =
             static_cast<double>(lines.strength[a]) * (1.0 - u) + static_cast<double>(lines.strength[b]) * u;
@@ -399,7 +400,7 @@ SurfaceLines with_turns(const base::Runtime& runtime, const SurfaceLines& lines,
                         const View& view) {
     const Curves& curves = lines.curves;
     struct Turn {
-        std::int64_t a, b; // points of a piece at whose ends n . v has different signs
+        std::int64_t a, b; // the points of a piece between which n . v changes its sign
         Illinois root;
         double share;
         glm::dvec3 gradient;

@@ -14,13 +14,13 @@ namespace hrbfnpr::curves {
 namespace {
 
 struct CutEdge {
-    std::int32_t kept, lost; // vertices
+    std::int32_t kept, lost; // numbers of vertices
 
     [[nodiscard]] auto operator<=>(const CutEdge&) const noexcept = default;
 };
 
-// Cuts each triangle into one to four. middle[e] is the vertex on edge e, the same for both sides of the edge; < 0:
-// none.
+// Divides each triangle into one to four triangles. middle[e] is the vertex on edge e, the same for both sides of the
+// edge, or below 0 if there is none.
 void cut_at_middles(const base::Runtime& runtime, const base::Array<std::int32_t>& middle, SurfaceMesh& mesh) {
     HRBFNPR_ASSERT(middle.size() == mesh.corner.size());
     base::Array<std::int32_t> corner(runtime.memory);
@@ -40,8 +40,8 @@ void cut_at_middles(const base::Runtime& runtime, const base::Array<std::int32_t
             add(at(k), cut(k), at(k + 2));
             add(cut(k), at(k + 1), at(k + 2));
         } else if (cuts == 2) {
-            // Edges k and k + 1 are cut, which cuts off corner k + 1. The shorter diagonal divides the remaining
-            // quadrilateral.
+            // Edges k and k + 1 have a middle, so corner k + 1 is cut off. The remaining quadrilateral is divided along
+            // its shorter diagonal.
             while (cut(k + 2) >= 0) ++k;
             add(cut(k), at(k + 1), cut(k + 1));
             const bool first = glm::distance(mesh.position[cut(k)], mesh.position[at(k + 2)]) <
@@ -69,8 +69,8 @@ double area_of(const SurfaceMesh& mesh) noexcept {
     return sum;
 }
 
-// Finds the zero of g on each edge by Newton's steps, which start from the linear interpolation of the values at the
-// ends. Where Newton's steps fail, bisection is used.
+// Finds the zero of g on each edge by Newton's method, starting from linear interpolation. Where Newton's method fails,
+// it bisects.
 base::Array<CurvePoint> find_cut_points(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
                                         const base::Array<double>& value, const base::Array<CutEdge>& edges) {
     const double tolerance = curve_tuning.exact * mesh.side;
@@ -108,7 +108,8 @@ std::int64_t opposite_of(const SurfaceMesh& mesh, std::int64_t edge) noexcept {
 base::Array<std::int32_t> find_neighbours(const base::Work& work, const base::Array<std::int32_t>& corner,
                                           std::int64_t vertices) {
     HRBFNPR_ASSERT(corner.size() % 3 == 0);
-    // Lists edges by their start vertex: edge e = 3 t + k leads from corner k of triangle t.
+    // Lists for each vertex the edges that start there. Edge e = 3 t + k goes from corner k of triangle t to the next
+    // corner.
     base::Array<std::int64_t> begin(work.memory);
     base::resize_long(begin, vertices + 2, work);
     for (const std::int64_t e : work.over(corner.size())) {
@@ -178,7 +179,7 @@ ClippedMesh clip(const base::Work& work, const Level& level, const SurfaceMesh& 
     to.side = mesh.side;
     to.unresolved = mesh.unresolved;
     to.missed_seeds = mesh.missed_seeds;
-    base::Array<std::int32_t> number(work.memory, mesh.vertices()); // the new numbers of the kept vertices
+    base::Array<std::int32_t> number(work.memory, mesh.vertices()); // the new numbers of vertices that are kept
     for (std::int32_t v = 0; v < mesh.vertices(); ++v) {
         if (!keeps(v)) continue;
         number[v] = static_cast<std::int32_t>(to.vertices());
@@ -217,7 +218,7 @@ ClippedMesh clip(const base::Work& work, const Level& level, const SurfaceMesh& 
             put(number[v[0]], number[v[1]], number[v[2]]);
             continue;
         }
-        int odd = 0; // the corner that is kept alone or lost alone
+        int odd = 0; // the corner that differs from the other two: it alone is kept, or it alone is lost
         while (keeps(v[odd]) != (kept == 1)) ++odd;
         const std::int32_t a = v[odd];
         const std::int32_t b = v[(odd + 1) % 3];
@@ -246,11 +247,11 @@ Chains<EdgeCrossing> find_edge_crossings(const base::Runtime& runtime, const Sur
             const bool a = level[corner[0]] < 0.0;
             const bool b = level[corner[1]] < 0.0;
             const bool c = level[corner[2]] < 0.0;
-            if (a == b && b == c) continue; // this holds for nearly all triangles
+            if (a == b && b == c) continue; // Nearly all triangles end here.
             crossed[t] = static_cast<std::uint8_t>((a != b ? 1 : 0) | (b != c ? 2 : 0) | (c != a ? 4 : 0));
         }
     });
-    // A walk enters over an edge whose start is negative, so that negative g stays to the left.
+    // A walk enters a triangle through an edge whose start is negative, so that negative g is to its left.
     const auto enters = [&](std::int64_t edge) { return level[start_of(mesh, edge)] < 0.0; };
     Chains<std::int64_t> edges = walk_chains(mesh, crossed, enters);
     Chains<EdgeCrossing> chains(runtime.memory);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Functions for the edges of a mesh: find_neighbours finds the triangle across each edge. halve_edges cuts triangles at
-// the middles of edges that are too long, and clip where a function g on the surface is 0; the triangles still meet
-// only in edges and corners. walk_chains finds chains of edges that a line crosses.
+// Functions for the edges of a mesh: find_neighbours finds the triangle across each edge. halve_edges divides triangles
+// at the middles of edges that are too long. clip cuts them where a function g on the surface is 0. The triangles still
+// meet only in edges and corners. walk_chains finds chains of edges that a line crosses.
 #pragma once
 
 #include "base/operation.h"
@@ -23,21 +23,22 @@ namespace hrbfnpr::curves {
 [[nodiscard]] inline std::int32_t end_of(const SurfaceMesh& mesh, std::int64_t edge) noexcept {
     return start_of(mesh, next_in_triangle(edge));
 }
-// The same edge as seen from the adjacent triangle; -1 at a border.
+// Returns the same edge as an edge of the adjacent triangle, or -1 at a border.
 [[nodiscard]] std::int64_t opposite_of(const SurfaceMesh& mesh, std::int64_t edge) noexcept;
-// Whether this edge comes before its opposite edge; used to visit each pair once.
+// Returns whether this edge is the first of the two sides of an edge. It is used to visit each edge once.
 [[nodiscard]] inline bool is_first(const SurfaceMesh& mesh, std::int64_t edge) noexcept {
     return mesh.neighbour[edge] < 0 || mesh.neighbour[edge] > edge / 3;
 }
 
-// Computes SurfaceMesh::neighbour for oriented triangles, no two of which have an edge in the same direction.
+// Computes SurfaceMesh::neighbour. The triangles must be oriented: no two of them may have an edge in the same
+// direction.
 [[nodiscard]] base::Array<std::int32_t> find_neighbours(const base::Work& work, const base::Array<std::int32_t>& corner,
                                                         std::int64_t vertices);
 
-// Cuts triangles at the middles of the given edges, and brings the middles onto the surface; of each edge one of its
-// two sides is given. An edge stays whole if its middle moves farther than `farthest` of the edge's length. If `smooth`
-// is set, it also stays whole if the gradient at the middle points away from those at its ends, which happens across a
-// thin wall. Returns whether any edge was halved.
+// Divides triangles at the middles of the given edges, and moves the middles onto the surface. Each edge is given by
+// one of its two sides. An edge is not divided if its middle would move farther than `farthest` times its length. With
+// `smooth`, it is also not divided if the gradient at the middle is opposite to those at its ends, as happens across a
+// thin wall. Returns whether any edge was divided.
 bool halve_edges(const base::Work& work, const implicit::Implicit& implicit, const base::Array<std::int64_t>& edges,
                  double farthest, bool smooth, SurfaceMesh& mesh);
 
@@ -46,31 +47,31 @@ bool halve_edges(const base::Work& work, const implicit::Implicit& implicit, con
 struct ClippedMesh {
     explicit ClippedMesh(base::Memory& memory) noexcept : mesh(memory), cut(memory) {}
 
-    SurfaceMesh mesh; // vertices from `first_cut` on lie on the curve f = g = 0
+    SurfaceMesh mesh; // Vertices from `first_cut` on are on the curve f = g = 0.
     std::int64_t first_cut = 0;
-    base::Array<CurvePoint> cut; // the curve's point at each vertex from `first_cut` on
+    base::Array<CurvePoint> cut; // for each vertex from `first_cut` on: its point on the curve
     double left_out = 0.0;       // the share of the area that was removed
 };
 
-// Gives the same bits for any thread count.
+// Cuts the mesh where g is 0. The result has the same bits for any number of threads.
 [[nodiscard]] ClippedMesh clip(const base::Work& work, const Level& level, const SurfaceMesh& mesh);
 
 // ---- Chains of edges
 
-// Follows the lines that cross triangles, as chains of edges. crossed: two edges of each triangle as bits 1, 2, 4, or
-// 0; it is 0 afterwards. may_enter(edge) tells whether a walk may enter the edge's triangle over this edge. A chain has
-// the edge over which each of its triangles is left; an open one also starts with the edge over which the first
-// triangle is entered.
+// Follows lines across triangles, and returns them as chains of edges. `crossed` gives the two edges of each triangle
+// that a line crosses, as bits 1, 2 and 4, or 0; afterwards all are 0. may_enter(edge) returns whether a walk may enter
+// the edge's triangle through the edge. A chain contains the edge through which each triangle is left. An open chain
+// begins with the edge through which its first triangle is entered.
 template <class MayEnter>
 [[nodiscard]] Chains<std::int64_t> walk_chains(const SurfaceMesh& mesh, base::Array<std::uint8_t>& crossed,
                                                MayEnter&& may_enter) {
     HRBFNPR_ASSERT(crossed.size() == mesh.triangles());
     Chains<std::int64_t> chains(crossed.memory());
-    base::Array<std::int32_t> found(crossed.memory()); // the crossed triangles
+    base::Array<std::int32_t> found(crossed.memory()); // the triangles that are crossed
     for (std::int64_t t = 0; t < crossed.size(); ++t) {
         std::uint64_t eight = 1;
         if (t + 8 <= crossed.size()) std::memcpy(&eight, crossed.data() + t, sizeof eight);
-        if (eight == 0) // few triangles are crossed
+        if (eight == 0) // Most groups of eight triangles are not crossed, and are skipped together.
             t += 7;
         else if (crossed[t] != 0)
             found.push_back(static_cast<std::int32_t>(t));

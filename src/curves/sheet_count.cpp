@@ -25,20 +25,22 @@ constexpr std::int64_t segments_a_task = 16;
 
 // ---- Lines
 
-// The part of a segment in the mesh's region: origin + s direction for low <= s <= high. The origin is the segment's
-// end `to`, so that places near it are exact however far away the other end is.
+// The part of a segment inside the region of the mesh: origin + s direction, for low <= s <= high. The origin is the
+// segment's end `to`, so places near this end are exact, however far away the other end is.
 struct Line {
     geometry::Bounds region;
     glm::dvec3 origin{0.0};
-    glm::dvec3 direction{0.0};      // unit
-    glm::dvec3 right{0.0}, up{0.0}; // orthonormal with the direction
+    glm::dvec3 direction{0.0};      // unit vector
+    glm::dvec3 right{0.0}, up{0.0}; // unit vectors, perpendicular to the direction and to each other
     double low = 0.0, high = -1.0;
-    bool low_is_end = false, high_is_end = false; // the line ends at the segment's end, not at the region
+    // True if the line ends at the segment's end, false if it ends at the region's wall.
+    bool low_is_end = false, high_is_end = false;
 
-    // The projection along the line of a point relative to the origin.
+    // Returns the projection along the line of a point relative to the origin.
     [[nodiscard]] glm::dvec2 seen(const glm::dvec3& p) const noexcept { return {glm::dot(p, right), glm::dot(p, up)}; }
     [[nodiscard]] glm::dvec3 at(double s) const noexcept {
-        return glm::clamp(origin + s * direction, region.min, region.max); // rounding may leave the region
+        // Clamping corrects rounding, which may lead out of the region.
+        return glm::clamp(origin + s * direction, region.min, region.max);
     }
 };
 
@@ -77,8 +79,8 @@ Line line_of(const geometry::Bounds& region, const glm::dvec3& from, const glm::
 struct Span {
     double begin, end;
     std::int64_t line;
-    std::int64_t places;    // the number of places at which f is first evaluated, in order from begin to end
-    std::int32_t crossings; // how often the line crosses triangles of the mesh in the span
+    std::int64_t places;    // the number of places, in order from begin to end, at which f is evaluated first
+    std::int32_t crossings; // the number of times that the line crosses triangles in the span
     bool line_begins, line_ends;
 };
 
@@ -89,11 +91,11 @@ struct Spans {
     base::Array<double> place; // the places of all spans
 };
 
-// A part of a line near a triangle.
+// A part of a line, close to a triangle.
 struct Range {
     double low, high;
 
-    // Keeps the part in which at_zero + slope s <= 0.
+    // Reduces the range to the part in which at_zero + slope s <= 0.
     void keep(double at_zero, double slope) noexcept {
         if (slope == 0.0) {
             if (at_zero > 0.0) high = low - 1.0;
@@ -107,11 +109,11 @@ struct Range {
 
 struct TriangleCrossing {
     double at;
-    bool rising; // the line passes through the triangle to f > 0
+    bool rising; // true if f increases along the line at the crossing
 };
 
-// An arc that meets its chord of length h at an angle a is h a / 4 away from it. The bulge is twice that, to cover arcs
-// that are not circles.
+// Returns a bound for the distance of the surface from a triangle. An arc that meets its chord of length h at an angle
+// a is at most h a / 4 away from it. The bound is twice that, for arcs that are not circles.
 double bulge_of(const SurfaceMesh& mesh, std::int64_t triangle) noexcept {
     const std::array<glm::dvec3, 3> p = corners_of(mesh, triangle);
     const double longest = std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
@@ -132,7 +134,8 @@ void add_triangle_range(const std::array<glm::dvec3, 3>& corner, double bulge, c
                         base::Array<Range>& ranges, base::Array<TriangleCrossing>& crossings) {
     const std::array<glm::dvec3, 3> p{corner[0] - line.origin, corner[1] - line.origin, corner[2] - line.origin};
     Range range{line.low, line.high};
-    const auto keep = [&](const glm::dvec3& out, double most) { // out . (x - origin) <= most + bulge
+    // Keeps the part in which out . (x - origin) <= most + bulge.
+    const auto keep = [&](const glm::dvec3& out, double most) {
         range.keep(-most - bulge, glm::dot(out, line.direction));
     };
     for (int axis = 0; axis < 3; ++axis) {
@@ -154,9 +157,9 @@ void add_triangle_range(const std::array<glm::dvec3, 3>& corner, double bulge, c
     }
     if (!(range.low <= range.high)) return;
     ranges.push_back(range);
-    // Three signs tell on which side of the triangle's edges the line passes, as seen along it. All triangles at a
-    // corner project it to the same place, and the two triangles at an edge compute the same number with opposite
-    // signs, to the last bit. So no line passes between triangles.
+    // Three signs tell on which side of the triangle's edges the line passes. All triangles at a corner project it to
+    // the same place, and the two triangles at an edge compute exactly opposite numbers. So no line can pass between
+    // triangles.
     const std::array<glm::dvec2, 3> q{line.seen(p[0]), line.seen(p[1]), line.seen(p[2])};
     const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
     const glm::dvec3 side(cross(q[1], q[2]), cross(q[2], q[0]), cross(q[0], q[1]));
@@ -168,7 +171,7 @@ void add_triangle_range(const std::array<glm::dvec3, 3>& corner, double bulge, c
     if (at >= line.low && at <= line.high) crossings.push_back({at, rising});
 }
 
-// Sorts ranges and merges those that overlap or nearly touch.
+// Sorts ranges, and merges ranges that overlap or nearly touch.
 void merge_ranges(double gap, base::Array<Range>& ranges) noexcept {
     std::sort(ranges.begin(), ranges.end(),
               [](const Range& a, const Range& b) { return a.low < b.low || (a.low == b.low && a.high < b.high); });
@@ -182,7 +185,7 @@ void merge_ranges(double gap, base::Array<Range>& ranges) noexcept {
     ranges.resize(kept);
 }
 
-// Sorts crossings. Crossings through an edge or corner are found once for each triangle there; only one of them is
+// Sorts crossings. A crossing through an edge or corner is found once for each triangle there, and only one of these is
 // kept.
 void merge_crossings(double same, base::Array<TriangleCrossing>& crossings) noexcept {
     std::sort(crossings.begin(), crossings.end(), [](const TriangleCrossing& a, const TriangleCrossing& b) {
@@ -198,8 +201,8 @@ void merge_crossings(double same, base::Array<TriangleCrossing>& crossings) noex
     crossings.resize(kept);
 }
 
-// Adds the spans of the line with this number. Each span has a place between two crossings, so that each sheet has a
-// separate piece.
+// Adds the spans of the line with the number `number`. There is a place between any two crossings, so that each sheet
+// has a separate piece.
 void find_spans(const SurfaceMesh& mesh, const geometry::BoxTree& tree, const base::Array<double>& bulge,
                 const Line& line, std::int64_t number, Spans& found) {
     if (!(line.low < line.high)) return;
@@ -244,18 +247,18 @@ void find_spans(const SurfaceMesh& mesh, const geometry::BoxTree& tree, const ba
 
 struct RootCount {
     std::int32_t roots = 0;
-    bool certain = true; // false: f touches 0, or is NaN or infinite somewhere
+    bool certain = true; // False if f touches 0, or if it is NaN or infinite somewhere.
 };
 
 // A range of a line that contains exactly one root of a span.
 struct Root {
     std::int64_t span;
     double low, high;
-    double at; // the approximate root
+    double at; // the approximate position of the root
     Illinois search;
 };
 
-// A place on a line: f, its slope along the line, and the length of its gradient there.
+// A place on a line: f, the slope of f along the line, and |grad f|.
 struct Place {
     double at, value, slope, gradient;
 
@@ -265,7 +268,7 @@ struct Place {
     [[nodiscard]] bool negative() const noexcept { return value < 0.0; }
 };
 
-// A part of a span between two places, to be split at `at`.
+// A part of a span between two places. It will be split at `at`.
 struct Piece {
     Place low, high;
     std::int64_t span;
@@ -273,7 +276,7 @@ struct Piece {
     double at;
 };
 
-// The values and gradients of f at a batch of places.
+// f and its gradient at a batch of places.
 struct Field {
     Field(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& point)
         : value(work.memory, point.size()), gradient(work.memory, point.size()) {
@@ -288,14 +291,13 @@ struct Field {
     geometry::VecArray gradient;
 };
 
-// Tells from the values and slopes at a piece's ends whether it has no root (NaN) or one root (-1), or where to split
-// it.
+// Decides from the values and slopes at the ends of a piece: NaN if the piece has no root, -1 if it has one root, else
+// the place where it must be split.
 double split_of(const Place& a, const Place& b) noexcept {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const double length = b.at - a.at;
     if (a.negative() != b.negative()) {
-        // The cubic with the values and slopes of the piece's ends is monotone, so there is one root. [Fritsch &
-        // Carlson 1980]
+        // The cubic with these values and slopes is monotone, so there is one root. [Fritsch & Carlson 1980]
         const double rise = b.value - a.value;
         const double first = length * a.slope / rise;
         const double last = length * b.slope / rise;
@@ -304,24 +306,24 @@ double split_of(const Place& a, const Place& b) noexcept {
     const double sign = a.negative() ? -1.0 : 1.0;
     const double d0 = sign * length * a.slope;
     const double d1 = sign * length * b.slope;
-    // The cubic is above its least control value.
+    // The cubic is never below its least control value, so it has no root.
     if (sign * a.value + d0 / 3.0 > 0.0 && sign * b.value - d1 / 3.0 > 0.0) return none;
-    // Otherwise the piece is split at the cubic's minimum, unless that is clearly above 0.
+    // Otherwise the piece is split at the minimum of the cubic, unless this is clearly above 0.
     const double f0 = sign * a.value;
     const double f1 = sign * b.value;
     const double third = 2.0 * (f0 - f1) + d0 + d1;
     const double second = 3.0 * (f1 - f0) - 2.0 * d0 - d1;
-    // A quarter of the discriminant of the derivative d0 + 2 second t + 3 third t^2.
+    // A quarter of the discriminant of the cubic's derivative d0 + 2 second t + 3 third t^2.
     const double root = second * second - 3.0 * third * d0;
     if (!(root >= 0.0)) return none;
-    // The derivative increases at this root. The two forms avoid cancellation.
+    // The derivative increases at this root, so it is the minimum. The choice of two formulas avoids cancellation.
     const double t = second > 0.0 ? -d0 / (second + std::sqrt(root)) : (std::sqrt(root) - second) / (3.0 * third);
     if (!(t > 0.0 && t < 1.0) || f0 + t * (d0 + t * (second + t * third)) > 0.5 * std::min(f0, f1)) return none;
     return std::clamp(t, 0.05, 0.95);
 }
 
-// Counts the roots in each span, and lists those that are bracketed. Pieces of spans are split, all in parallel, until
-// the values and slopes at their ends give the number of roots.
+// Counts the roots in each span, and lists the brackets of single roots. Pieces are split, all in parallel, until the
+// values and slopes at their ends decide the number of roots.
 void count_roots(const base::Work& work, const implicit::Implicit& implicit, const base::Array<Line>& lines,
                  const Spans& spans, base::Array<RootCount>& counts, base::Array<Root>& roots) {
     const double noise = curve_tuning.root_noise * implicit.diagonal();
@@ -333,7 +335,7 @@ void count_roots(const base::Work& work, const implicit::Implicit& implicit, con
         return std::abs(at.value) <= curve_tuning.touching * implicit.diagonal() * at.gradient &&
                std::abs(at.slope) <= curve_tuning.along_surface * at.gradient;
     };
-    // If the segment ends on the surface, the slope there gives the sign of f just inside the segment.
+    // If the segment ends on the surface, f is 0 there, and the slope of f gives its sign just inside the segment.
     const auto settle_end = [&](RootCount& count, Place& end, double way) {
         if (!(std::abs(end.value) <= noise * end.gradient)) return;
         if (!(std::abs(end.slope) > curve_tuning.leaves_surface * end.gradient)) count.certain = false;
@@ -359,7 +361,7 @@ void count_roots(const base::Work& work, const implicit::Implicit& implicit, con
             point.push_back(lines[spans.span[span].line].at(middle));
             return;
         }
-        // A piece that is too short to split has the roots that the signs at its ends give.
+        // The piece is too short to split, so the signs at its ends decide the number of roots.
         count.certain = false;
         if (a.negative() != b.negative()) ++count.roots;
     };
@@ -407,8 +409,8 @@ void count_roots(const base::Work& work, const implicit::Implicit& implicit, con
     }
 }
 
-// Removes the roots beyond the surface's end from the list and the counts; those near the border are computed exactly
-// first. If a root lies on the border within rounding, its count is not certain.
+// Removes the roots beyond the end of the surface from the list and from the counts. Roots near the border are computed
+// exactly first. If a root is on the border, up to rounding, the count is not certain.
 void drop_roots(const base::Work& work, const implicit::Implicit& implicit, const implicit::Domain& domain,
                 const base::Array<Line>& lines, const Spans& spans, base::Array<Root>& roots,
                 base::Array<RootCount>& counts) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Counts how often the surface lies between two points: the quantitative invisibility of one seen from the other [Appel
-// 1967].
+// Counts how often the surface lies between two points. This is the quantitative invisibility of one point as seen from
+// the other [Appel 1967].
 #pragma once
 
 #include "base/memory.h"
@@ -15,15 +15,15 @@
 
 namespace hrbfnpr::curves {
 
-// Built once for a mesh, which must outlive it; immutable afterwards and thread-safe.
+// The data for counting on a mesh, which must outlive it. It never changes, so it is thread-safe.
 class SheetCounter {
 public:
     SheetCounter(const base::Work& work, const SurfaceMesh& mesh);
 
     struct Result {
         std::int32_t sheets = 0;
-        double nearest = 0.0; // the approximate distance from `to` to the nearest crossing, if there is any
-        bool certain = true;  // false: the segment grazes the surface, or the two ways of counting disagree
+        double nearest = 0.0; // the approximate distance from `to` to the nearest crossing, if there is one
+        bool certain = true;  // false if the segment grazes the surface, or if the two ways of counting disagree
     };
     // Counts the crossings of the open segments from[i] to to[i] with f = 0 inside the mesh. `to` may itself lie on the
     // surface: crossings nearer to it than clear[i] are not counted. answer is resized.
@@ -39,8 +39,9 @@ public:
 
 private:
     const SurfaceMesh& mesh_;
-    base::Array<double> bulge_; // bound on the surface's distance from each triangle, from the gradients at its corners
-    geometry::BoxTree tree_;    // the triangles' boxes, grown by their bulges
+    // For each triangle: a bound for the distance of the surface, from the gradients at its corners.
+    base::Array<double> bulge_;
+    geometry::BoxTree tree_; // the boxes of the triangles, enlarged by their bulges
 };
 
 } // namespace hrbfnpr::curves

@@ -32,11 +32,11 @@ namespace {
 
 using Cell = geometry::CellGrid::Cell;
 
-constexpr std::int64_t most_surface_triangles = std::int64_t{1} << 28; // corners of triangles are 32-bit indices
+constexpr std::int64_t most_surface_triangles = std::int64_t{1} << 28; // The corners of triangles are 32-bit indices.
 
 // ---- The lattice
 
-// A region cut into equal cells that fill it exactly, so that f is not evaluated outside it.
+// A region divided into equal cells that fill it exactly, so that f is not evaluated outside of it.
 struct Lattice {
     geometry::Bounds region;
     glm::dvec3 side{0.0};
@@ -81,12 +81,13 @@ Lattice lattice_of(const MeshSettings& settings) {
 // ---- Tetrahedra
 
 // A cube is cut into six tetrahedra around its diagonal (Kuhn 1960). All cubes are cut in the same way, so that
-// tetrahedra of adjacent cubes share their faces. Bits number the corners of the cube: x, y, z. A tetrahedron goes from
-// corner 0 to corner 7 by adding one bit at a time, so every edge leads to a corner with more bits.
+// tetrahedra of adjacent cubes share their faces. Bits number the corners of the cube: x, y, z. Each tetrahedron has
+// the corners of a path from corner 0 to corner 7 that adds one bit at a time. So every edge leads to a corner with
+// more bits.
 struct Tetrahedron {
     std::array<std::uint8_t, 4> corner;
-    std::uint8_t corners; // as a bit set
-    bool even;            // positively oriented
+    std::uint8_t corners; // the corners as a set of bits
+    bool even;            // true if the tetrahedron is positively oriented
 };
 
 constexpr std::array<Tetrahedron, 6> tetrahedra{{
@@ -98,15 +99,16 @@ constexpr std::array<Tetrahedron, 6> tetrahedra{{
     {{0, 4, 6, 7}, 0xD1, false},
 }};
 
-// The intersection of the surface with a tetrahedron: a polygon with a corner on each of these edges. It is
-// counter-clockwise as seen from the positive corners if the tetrahedron is even, else clockwise.
+// The intersection of the surface with a tetrahedron: a polygon with a corner on each edge in `edge`. As seen from the
+// positive corners, it is counter-clockwise if the tetrahedron is even, else clockwise.
 struct Section {
-    std::uint8_t size = 0;                             // 0, 3 or 4
-    std::array<std::array<std::uint8_t, 2>, 4> edge{}; // two corners of the tetrahedron, the lower one first
+    std::uint8_t size = 0; // the number of corners: 0, 3 or 4
+    // The two ends of each edge as corners of the tetrahedron, the lower one first.
+    std::array<std::array<std::uint8_t, 2>, 4> edge{};
 };
 
-// The section for each set of negative corners: a triangle around a single corner, or a quadrilateral between two
-// corners and the other two.
+// The section for each set of negative corners. It is a triangle around a single corner, or a quadrilateral that
+// separates two corners from the other two.
 constexpr std::array<Section, 16> sections{{
     {},
     {3, {{{0, 3}, {0, 1}, {0, 2}}}},
@@ -129,7 +131,7 @@ constexpr std::array<Section, 16> sections{{
 // ---- Cells
 
 struct CrossedCell {
-    std::uint64_t code; // see geometry/morton.h
+    std::uint64_t code; // the Morton code (geometry/morton.h)
     std::array<std::int32_t, 8> corner;
 };
 
@@ -138,10 +140,10 @@ struct CrossedCells {
         : lattice(cut), cell(memory), place(memory), position(memory), value(memory) {}
 
     Lattice lattice;
-    base::Array<CrossedCell> cell;    // in the order of a space-filling curve
-    base::Array<std::uint64_t> place; // the lattice coordinates of each corner, packed
-    geometry::VecArray position;      // the position of each corner
-    base::Array<double> value;        // f at each corner
+    base::Array<CrossedCell> cell;    // the crossed cells, in the order of a space-filling curve
+    base::Array<std::uint64_t> place; // for each corner: its packed coordinates in the lattice
+    geometry::VecArray position;      // for each corner: its position
+    base::Array<double> value;        // for each corner: f
     std::int64_t triangles = 0;
 
     [[nodiscard]] unsigned negative_corners(const CrossedCell& of) const noexcept {
@@ -149,7 +151,7 @@ struct CrossedCells {
         for (unsigned k = 0; k < 8; ++k) set |= (value[of.corner[k]] < 0.0 ? 1U : 0U) << k;
         return set;
     }
-    // Calls visit(tetrahedron, section) for the tetrahedra that the surface crosses and at whose corners f is finite.
+    // Calls visit(tetrahedron, section) for each tetrahedron that the surface crosses, if f is finite at its corners.
     template <class Visit>
     void sections_of(const CrossedCell& of, Visit&& visit) const {
         const unsigned negative = negative_corners(of);
@@ -163,12 +165,12 @@ struct CrossedCells {
     }
 };
 
-// Numbers corners in the order of the first request.
+// Assigns numbers to corners, in the order in which they are first asked for.
 class CornerMap {
 public:
     explicit CornerMap(base::Memory& memory) noexcept : table_(memory) {}
 
-    // A new corner gets the number of corners before it.
+    // Returns the number of a corner. A new corner gets the next number.
     std::int32_t number_of(std::uint64_t packed, const base::Progress& progress) {
         if (2 * (count_ + 1) > table_.size()) grow(progress);
         Entry& entry = place(table_, packed + 1);
@@ -178,7 +180,7 @@ public:
 
 private:
     struct Entry {
-        std::uint64_t name; // the packed corner plus 1; 0: a free entry
+        std::uint64_t name; // the packed corner plus 1, or 0 if the entry is free
         std::int32_t number;
     };
 
@@ -198,11 +200,12 @@ private:
         table_ = std::move(larger);
     }
 
-    base::Array<Entry> table_; // open addressing; the size is a power of two, at most half is used
+    // A hash table with open addressing. Its size is a power of two, and at most half of it is used.
+    base::Array<Entry> table_;
     std::int64_t count_ = 0;
 };
 
-// Projects seeds onto the surface, and drops those that do not converge or move too far.
+// Projects seeds onto the surface. Drops seeds that do not converge or that move too far.
 surface::Projection seeds_on_surface(const base::Work& work, const implicit::Implicit& implicit,
                                      const geometry::VecArray& seeds, const MeshSettings& settings) {
     surface::Projection on(work.memory);
@@ -245,12 +248,13 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
                                                 {0xCC, {0, 1, 0}},
                                                 {0x0F, {0, 0, -1}},
                                                 {0xF0, {0, 0, 1}}}};
-    constexpr std::int64_t block_side = 8; // cells
+    constexpr std::int64_t block_side = 8; // the side of a block, in cells
     const auto sum = [](const Cell& a, const Cell& b) { return Cell{a[0] + b[0], a[1] + b[1], a[2] + b[2]}; };
     const std::int64_t limit = std::min(settings.triangle_limit, most_surface_triangles);
 
     CrossedCells cells(work.memory, lattice);
-    geometry::CellSet asked(work.memory), beyond(work.memory); // blocks of cells
+    // The blocks that were tested, and those beyond the end of the surface.
+    geometry::CellSet asked(work.memory), beyond(work.memory);
     const auto is_beyond = [&](const Cell& cell) {
         if (settings.domain == nullptr) return false;
         const Cell block{cell[0] / block_side, cell[1] / block_side, cell[2] / block_side};
@@ -266,7 +270,8 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
         return beyond.contains(packed);
     };
     geometry::CellSet known(work.memory);
-    base::Array<std::uint64_t> front(work.memory), next(work.memory); // packed cells of this wave and of the next
+    // The packed cells of this wave and of the next one.
+    base::Array<std::uint64_t> front(work.memory), next(work.memory);
     const auto go_to = [&](const Cell& cell) {
         if (!lattice.inside(cell) || is_beyond(cell)) return;
         if (const std::uint64_t packed = geometry::CellGrid::pack(cell); known.insert(packed)) next.push_back(packed);
@@ -276,7 +281,7 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
 
     CornerMap corners(work.memory);
     base::Array<CrossedCell> wave(work.memory);
-    geometry::VecArray fresh(work.memory); // corners that are new in this wave
+    geometry::VecArray fresh(work.memory); // the corners that are new in this wave
     base::Array<double> value(work.memory);
     for (bool seeded = true; !next.empty(); seeded = false) {
         work.check();
@@ -312,8 +317,8 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
             cells.triangles += triangles;
             for (const Face& face : faces)
                 if ((negative & face.corners) != 0 && (~negative & face.corners) != 0) go_to(sum(place, face.way));
-            // A seed may be nearer to the surface than the corners of its cell can show: then the flood starts in the
-            // adjacent cells.
+            // A seed may be so near the surface that the corners of its cell do not show a crossing. The flood then
+            // starts in the adjacent cells.
             if (seeded && triangles == 0)
                 for (int step = 0; step < geometry::neighbour_count; ++step) go_to(geometry::neighbour(place, step));
         }
@@ -328,9 +333,9 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
     return cells;
 }
 
-// A surface that passes very near a corner cuts all edges there in nearly the same point, and the triangles degenerate.
-// So corners that are very near move away from the surface; corners on the region's faces move along these. The signs
-// of f do not change, so the triangles are connected as before.
+// If the surface passes very near a corner, it cuts all edges there in nearly the same point, and triangles degenerate.
+// So such corners are moved away from the surface. Corners on the region's faces stay on these faces. The signs of f do
+// not change, so the triangles keep their connections.
 void clear_corners(const base::Work& work, const implicit::Implicit& implicit, CrossedCells& cells) {
     const double clearance = curve_tuning.corner_clearance;
     const Lattice& lattice = cells.lattice;
@@ -388,7 +393,7 @@ struct CrossedEdge {
     std::int32_t from, to;
 };
 
-// An edge's number follows from its lower corner and its direction, one of 7.
+// Returns the number of an edge. It consists of the lower corner and the direction, which is one of 7.
 std::int64_t edge_number(const CrossedCell& cell, const Tetrahedron& tetrahedron,
                          const std::array<std::uint8_t, 2>& between) noexcept {
     const std::uint8_t from = tetrahedron.corner[between[0]];
@@ -397,7 +402,8 @@ std::int64_t edge_number(const CrossedCell& cell, const Tetrahedron& tetrahedron
     return std::int64_t{7} * cell.corner[from] + way - 1;
 }
 
-// Lists the edges that the surface crosses, each once. Returns for each edge number 1 + its index in the list, or 0.
+// Lists the edges that the surface crosses, each edge once. Returns for each edge number 1 + the index in the list, or
+// 0.
 base::Array<std::int32_t> number_edges(const CrossedCells& cells, base::Array<CrossedEdge>& edges,
                                        const base::Progress& progress) {
     base::Array<std::int32_t> numbers(edges.memory());
@@ -417,7 +423,7 @@ base::Array<std::int32_t> number_edges(const CrossedCells& cells, base::Array<Cr
     return numbers;
 }
 
-// An edge with parameters from 0 to 1, and the bracket of its root.
+// A search on an edge, with positions from 0 to 1, and the bracket of the root.
 struct RootSearch {
     glm::dvec3 from{0.0}, along{0.0};
     double low = 0.0, high = 1.0;
@@ -427,8 +433,8 @@ struct RootSearch {
     int evaluations = 0;
 };
 
-// Returns the root, by Newton's method, of the cubic with the bracket's values, and with value and slope of f at the
-// last place.
+// Finds a root of a cubic by Newton's method. The cubic has the values at the ends of the bracket, and the value and
+// slope of f at the last place.
 double root_of_cubic(const RootSearch& search, double value, double slope) noexcept {
     const double x = search.low - search.at;
     const double y = search.high - search.at;
@@ -445,7 +451,7 @@ double root_of_cubic(const RootSearch& search, double value, double slope) noexc
     return search.at + t;
 }
 
-// A batch of searches, and the values at their places.
+// A batch of searches, with the values of f at their places.
 struct RootLanes {
     static constexpr auto size = static_cast<std::size_t>(implicit::batch_size);
     RootLanes() noexcept {} // NOLINT(modernize-use-equals-default): the columns stay as they are
@@ -475,7 +481,7 @@ std::int64_t find_some_vertices(const implicit::Implicit& implicit, const Crosse
                            high, share > 0.0 && share < 1.0 ? share : 0.5, index, 0};
     }
     std::int64_t unresolved = 0;
-    // Takes f at the search's place. Returns whether the search continues; if not, its vertex is set.
+    // Continues a search with f at its place. Returns false at the end of the search, when the vertex is set.
     const auto goes_on = [&](RootSearch& search, double value, const glm::dvec3& gradient) {
         const double slope = glm::length(gradient);
         const bool usable = std::isfinite(value) && std::isfinite(slope);
@@ -514,7 +520,7 @@ std::int64_t find_some_vertices(const implicit::Implicit& implicit, const Crosse
     return unresolved;
 }
 
-// Sets position, gradient and unresolved of the mesh, with one vertex for each edge.
+// Sets position, gradient and unresolved of the mesh. Each edge has one vertex.
 void find_vertices(const base::Work& work, const implicit::Implicit& implicit, const CrossedCells& cells,
                    const base::Array<CrossedEdge>& edges, double tolerance, SurfaceMesh& mesh) {
     const std::int64_t count = edges.size();
@@ -536,7 +542,7 @@ void find_vertices(const base::Work& work, const implicit::Implicit& implicit, c
 
 // ---- Triangles
 
-// Cuts quadrilaterals along their shorter diagonals.
+// Adds the triangles of all cells. Quadrilaterals are divided along the shorter diagonal.
 void add_triangles(const CrossedCells& cells, const base::Array<std::int32_t>& numbers, SurfaceMesh& mesh,
                    const base::Progress& progress) {
     mesh.corner.reserve(3 * cells.triangles);
@@ -563,7 +569,7 @@ void add_triangles(const CrossedCells& cells, const base::Array<std::int32_t>& n
     HRBFNPR_ASSERT(mesh.triangles() == cells.triangles);
 }
 
-// Counts the i in [0, total) for which holds(i) is true.
+// Returns the number of i in [0, total) for which holds(i) is true.
 template <class Holds>
 std::int64_t count_all(const base::Work& work, std::int64_t total, Holds&& holds) {
     std::atomic<std::int64_t> sum{0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A triangulation of f = 0, on which curves are found and against which rays are tested.
+// A triangulation of f = 0. Curves are found on it, and rays are tested against it.
 #pragma once
 
 #include "base/assert.h"
@@ -15,33 +15,35 @@
 namespace hrbfnpr::curves {
 
 struct MeshSettings {
-    geometry::Bounds region; // the mesh ends at its walls; outside it f is evaluated at seeds only
-    double side = 0.0;       // the largest cell side, > 0: thinner or smaller parts of the surface may be missed
+    geometry::Bounds region; // The mesh ends at the walls of this box. Outside, f is evaluated only at seeds.
+    double side = 0.0; // The largest side of a cell, above 0. Thinner or smaller parts of the surface may be missed.
     std::int64_t triangle_limit = 4'000'000;
-    // The mesh may end where the domain says that the surface is nowhere near. It continues for at least a few cells
-    // beyond the surface's end.
+    // The mesh may end where the domain says that no surface is near. It continues for at least a few cells beyond the
+    // end of the surface.
     const implicit::Domain* domain = nullptr;
-    double tolerance = 1e-9; // the greatest distance of vertices from the surface, in diagonals
+    double tolerance = 1e-9; // the largest distance of vertices from the surface, in diagonals
 };
 
-// An oriented mesh; it is closed except where the region ends.
+// An oriented triangle mesh of the surface. It is closed, except where the region ends.
 struct SurfaceMesh {
     explicit SurfaceMesh(base::Memory& memory) noexcept
         : position(memory), gradient(memory), corner(memory), neighbour(memory) {}
 
-    geometry::VecArray position;         // the vertices; all except `unresolved` ones are on the surface
-    geometry::VecArray gradient;         // grad f at each vertex
-    base::Array<std::int32_t> corner;    // 3 of each triangle, counter-clockwise as seen from where f > 0
-    base::Array<std::int32_t> neighbour; // 3 of each triangle: the one across the edge from corner k to k + 1; -1: none
+    geometry::VecArray position; // the vertices; all of them except `unresolved` ones are on the surface
+    geometry::VecArray gradient; // grad f at each vertex
+    // 3 numbers of vertices for each triangle, counter-clockwise as seen from where f > 0.
+    base::Array<std::int32_t> corner;
+    // 3 numbers for each triangle: the triangle across the edge from corner k to k + 1, or -1.
+    base::Array<std::int32_t> neighbour;
     geometry::Bounds region;
-    const implicit::Domain* domain = nullptr; // where in the region the surface is; null: everywhere
-    double side = 0.0;                        // the longest side of the cells
-    std::int64_t unresolved = 0;              // vertices that are not on the surface, or whose gradient is 0
-    // Seeds on the surface, or less than a side from it, without a vertex near them whose gradient points the same way:
-    // the surface there is too thin or too small for the cells.
+    const implicit::Domain* domain = nullptr; // the part of the region in which the surface exists; null: everywhere
+    double side = 0.0;                        // the longest side of a cell
+    std::int64_t unresolved = 0; // the number of vertices that are not on the surface, or whose gradient is 0
+    // The number of seeds at most a side away from the surface that have no vertex near them whose gradient points the
+    // same way. The surface there is too thin or too small for the cells.
     std::int64_t missed_seeds = 0;
-    // Triangles that face away from the gradient at one of their corners: the surface has details smaller than the
-    // cells there, such as a wall thinner than a cell's diagonal.
+    // The number of triangles that face away from the gradient at one of their corners. The surface there has details
+    // smaller than a cell, such as a thin wall.
     std::int64_t turned = 0;
 
     [[nodiscard]] std::int64_t vertices() const noexcept { return position.size(); }
@@ -55,16 +57,16 @@ struct SurfaceMesh {
     return {mesh.position[corner[0]], mesh.position[corner[1]], mesh.position[corner[2]]};
 }
 
-// Whether the triangle faces away from the gradient at one of its corners.
+// Returns whether the triangle faces away from the gradient at one of its corners.
 [[nodiscard]] bool is_turned(const SurfaceMesh& mesh, std::int64_t triangle) noexcept;
 
-// Seeds are points on or near the surface; parts of the surface without a seed are not found. The same bits for any
-// thread count. Throws Error{out_of_memory, cancelled, callback}, and Error{invalid_argument} if the mesh would exceed
-// triangle_limit.
+// Makes a mesh of the surface. Seeds are points on or near the surface, and parts of the surface without a seed are not
+// found. The result has the same bits for any number of threads. Throws Error{out_of_memory, cancelled, callback}, and
+// Error{invalid_argument} if the mesh would exceed triangle_limit.
 [[nodiscard]] SurfaceMesh triangulate(const base::Work& work, const implicit::Implicit& implicit,
                                       const geometry::VecArray& seeds, const MeshSettings& settings);
 
-// Makes a mesh as triangulate() does, but doubles settings.side as often as needed to stay within the triangle limit.
+// Makes a mesh like triangulate(), but doubles settings.side until the mesh stays within the triangle limit.
 [[nodiscard]] SurfaceMesh triangulate_of_any_size(const base::Work& work, const implicit::Implicit& implicit,
                                                   const geometry::VecArray& seeds, MeshSettings& settings);
 

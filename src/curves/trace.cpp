@@ -30,7 +30,7 @@ namespace {
 
 glm::dvec3 unit_direction(const CurvePoint& p) noexcept { return glm::normalize(p.direction()); }
 
-// Whether the curve is known to lead from a point of a chain to the next one.
+// Whether the curve is known to connect a point of a chain to the next point.
 enum class Link : std::uint8_t { unknown, linked, parted };
 
 struct RunPoint {
@@ -38,7 +38,7 @@ struct RunPoint {
     Link link = Link::unknown;
 };
 
-// Whether the cubic between two points follows the curve.
+// Returns whether the cubic between two points follows the curve.
 bool is_linked(const CurvePoint& a, const CurvePoint& b, double side, const TraceSettings& settings) noexcept {
     const glm::dvec3 way = b.position - a.position;
     const double length = glm::length(way);
@@ -50,8 +50,8 @@ bool is_linked(const CurvePoint& a, const CurvePoint& b, double side, const Trac
            glm::distance(end, way / length) <= curve_tuning.off_chord * limit;
 }
 
-// Newton's steps also move points along the curve, so points may coincide or be out of order. Where the curve turns
-// sharply this cannot be decided, and the points are kept.
+// Returns whether p follows `before` along the curve. Newton steps also move points along the curve, so points may
+// coincide or change their order. Where the curve turns sharply this cannot be decided, and it returns true.
 bool in_order(const CurvePoint& before, const CurvePoint& p, double side, const TraceSettings& settings) noexcept {
     const glm::dvec3 way = p.position - before.position;
     const glm::dvec3 a = unit_direction(before);
@@ -134,8 +134,8 @@ Curves thinned(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curv
     return kept;
 }
 
-// Makes runs of points from starts; each is a part of a curve, or a whole closed curve. Runs do not overlap except near
-// their ends. The starts are in order along their curves.
+// Makes runs of points from starts. A run is a part of a curve, or a whole closed curve. Runs overlap only near their
+// ends. The starts must be in order along their curves.
 Curves runs_from(const base::Work& work, const Level& level, const SurfaceMesh& mesh, const Curves& starts,
                  const TraceSettings& settings, TraceReport& report) {
     const double side = mesh.side;
@@ -148,7 +148,7 @@ Curves runs_from(const base::Work& work, const Level& level, const SurfaceMesh& 
     base::Array<CurvePoint> points(work.memory, starts.point.size());
     std::copy(starts.point.begin(), starts.point.end(), points.begin());
     const base::Array<std::uint8_t> brought = bring_points(points, curve_tuning.start_reach * side);
-    Chains<RunPoint> chains(work.memory); // the starts that were brought onto curves
+    Chains<RunPoint> chains(work.memory); // the starts after moving onto curves
     for (std::int64_t c = 0; c < starts.count(); ++c) {
         for (std::int64_t i = starts.first[c]; i < starts.first[c + 1]; ++i)
             if (brought[i] != 0 && (chains.point.size() == chains.first.back() ||
@@ -156,7 +156,7 @@ Curves runs_from(const base::Work& work, const Level& level, const SurfaceMesh& 
                 chains.point.push_back({points[i]});
         chains.end(starts.closed[c] != 0);
     }
-    // A chain of two points has no second gap from its last point to its first.
+    // A chain of two points has only one gap, even if it is closed.
     const auto is_gap_between = [&](std::int64_t c, std::int64_t i, std::int64_t j) {
         return j > i || (j >= 0 && chains.size_of(c) > 2);
     };
@@ -217,19 +217,19 @@ enum class PathEnd : std::uint8_t { none, at_run, border, broken };
 
 // A curve that is being followed.
 struct Path {
-    std::int64_t start; // the number of its run
-    double sense;       // 1: forwards, -1: backwards
+    std::int64_t start; // the number of its first run
+    double sense;       // 1 if it is followed forwards, -1 if backwards
     CurvePoint last;
-    glm::dvec3 tangent;   // unit, in the direction of the path
-    glm::dvec3 bend{0.0}; // change of the tangent per length, over the last step
+    glm::dvec3 tangent;   // unit tangent in the direction of the path
+    glm::dvec3 bend{0.0}; // the change of the tangent per length in the last step
     double step;
     CurvePoint trial;
     glm::dvec3 predicted{0.0};
     int iteration = 0;
     std::int32_t steps = 0, evaluations = 0;
-    std::int64_t passed = -1; // index in Paths::passed of the last point; -1: none
-    std::int64_t met = -1;    // the run that the path met
-    // The point of the run `met` that the path met: its first one, or a later one if the ends overlap.
+    std::int64_t passed = -1; // the index of the last point in Paths::passed, or -1
+    std::int64_t met = -1;    // the run that the path met, or -1
+    // The point of the run `met` that the path met. It is the first point, or a later one if the ends overlap.
     std::int64_t met_point = 0;
     PathEnd end = PathEnd::none;
 };
@@ -240,7 +240,7 @@ struct PathPoint {
     std::int64_t before;
 };
 
-// The paths between runs and their common data.
+// The paths between runs, and the data that they share.
 struct Paths {
     Paths(const SurfaceMesh& meshed, const Curves& known, const TraceSettings& by)
         : mesh(meshed), runs(known), settings(by), path(runs.point.memory()), passed(runs.point.memory()),
@@ -258,12 +258,12 @@ struct Paths {
     base::Array<PathPoint> passed;
     // The two paths of each run, and the run whose path leads to it; -1: none.
     base::Array<std::int64_t> forward, backward, before;
-    base::Array<std::uint8_t> passed_by; // 1: another path passes this run, which is then left out
-    base::Array<std::int32_t> run_of;    // the run of each point of the runs
-    geometry::PointGrid grid;            // the points of the runs by their positions
+    base::Array<std::uint8_t> passed_by; // 1 if another path passes this run, which is then left out
+    base::Array<std::int32_t> run_of;    // for each point of the runs: its run
+    geometry::PointGrid grid;            // a grid of the positions of the runs' points
 };
 
-// The greatest turn in a step of this length, in sides.
+// Returns the largest turn that is allowed in a step of this length, in sides.
 double turn_limit(const TraceSettings& settings, double step) noexcept {
     return step < curve_tuning.kink_length ? curve_tuning.sharpest_kink : settings.turn;
 }
@@ -285,8 +285,8 @@ void shorten(const Paths& paths, Path& path, double share) noexcept {
         predict(path);
 }
 
-// Finds the first point of a run on the way, and sets `met` to its run. The cubic through both ends of the step
-// approximates the curve, from which the point's distance is measured.
+// Finds the first point of a run that the path meets in this step, and sets `met` to the run. Distances are measured
+// from the cubic through both ends of the step, which approximates the curve.
 bool meets_run(const Paths& paths, Path& path, const glm::dvec3& tangent) {
     const double within = curve_tuning.beside;
     const glm::dvec3 a = path.last.position;
@@ -313,7 +313,7 @@ bool meets_run(const Paths& paths, Path& path, const glm::dvec3& tangent) {
     return path.met >= 0;
 }
 
-// Accepts the trial as the next point of the path.
+// Makes the trial the next point of the path.
 void accept(Paths& paths, Path& path, const glm::dvec3& tangent) {
     const double side = paths.mesh.side;
     HRBFNPR_ASSERT(std::abs(glm::length(tangent) - 1.0) < 1e-9);
@@ -337,7 +337,7 @@ void accept(Paths& paths, Path& path, const glm::dvec3& tangent) {
     predict(path);
 }
 
-// Examines a trial after its evaluation.
+// Decides about a trial after its evaluation: it is accepted, corrected, or tried with a shorter step.
 void take(Paths& paths, Path& path) {
     if (++path.evaluations > paths.settings.evaluation_limit) {
         path.end = PathEnd::broken;
@@ -356,15 +356,15 @@ void take(Paths& paths, Path& path) {
     const double turn = glm::distance(tangent, path.tangent);
     if (!(turn <= limit)) return shorten(paths, path, std::clamp(curve_tuning.step_safety * limit / turn, 0.25, 0.7));
     if (paths.mesh.region.contains(path.trial.position)) return accept(paths, path, tangent);
-    // Shorter steps approach the region's wall.
+    // Near the wall of the region, steps become shorter.
     if (path.step <= curve_tuning.close * paths.mesh.side)
         path.end = PathEnd::border;
     else
         shorten(paths, path, 0.5);
 }
 
-// Follows a path from each of the given runs, all in parallel: forwards from the run's last point, or backwards from
-// its first.
+// Follows a path from each of the given runs, all in parallel: forwards from the last point of the run, or backwards
+// from the first.
 void follow_from(const base::Work& work, const Level& level, const base::Array<std::int64_t>& from, double sense,
                  Paths& paths, TraceReport& report) {
     const Curves& runs = paths.runs;
@@ -374,7 +374,7 @@ void follow_from(const base::Work& work, const Level& level, const base::Array<s
         const CurvePoint& last = runs.point[sense > 0.0 ? runs.first[r + 1] - 1 : runs.first[r]];
         Path path{r, sense, last, unit_along(last, sense), glm::dvec3(0.0), curve_tuning.first_step * paths.mesh.side,
                   {}};
-        // The points of the run count as steps.
+        // The points of the run count as steps of the path.
         if (sense > 0.0) path.steps = static_cast<std::int32_t>(runs.size_of(r) - 1);
         predict(path);
         (sense > 0.0 ? paths.forward : paths.backward)[r] = paths.path.size();
@@ -398,12 +398,12 @@ void follow_from(const base::Work& work, const Level& level, const base::Array<s
     }
 }
 
-// Whether no path leads to this open run.
+// Returns whether this is an open run to which no path leads.
 bool is_first(const Paths& paths, std::int64_t r) noexcept {
     return paths.runs.closed[r] == 0 && paths.before[r] < 0 && paths.passed_by[r] == 0;
 }
 
-// Adds the curves that consist of runs and the paths between them.
+// Adds the curves. Each consists of runs and the paths between them.
 void add_curves(const Paths& paths, Curves& curves, TraceReport& report) {
     const Curves& runs = paths.runs;
     base::Array<std::uint8_t> done(runs.point.memory(), runs.count());
@@ -418,7 +418,7 @@ void add_curves(const Paths& paths, Curves& curves, TraceReport& report) {
         while (run >= 0 && done[run] == 0) {
             done[run] = 1;
             const bool closed = runs.closed[run] != 0;
-            // A path may have met a later point of the run than its first.
+            // The path may have met a point of the run after its first one. The points before are left out.
             const std::int64_t before = closed ? -1 : paths.before[run];
             const std::int64_t first = before >= 0 ? paths.path[paths.forward[before]].met_point : runs.first[run];
             for (std::int64_t i = first; i < runs.first[run + 1]; ++i) curves.point.push_back(runs.point[i]);
@@ -453,7 +453,7 @@ void follow(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
     base::Array<std::int64_t> all(work.memory), first(work.memory);
     for (std::int64_t r = 0; r < runs.count(); ++r) all.push_back(r);
     follow_from(work, level, all, 1.0, paths, report);
-    // If several paths meet a run, the one that meets its earliest point leads to it.
+    // If several paths meet a run, the path that meets its earliest point is used.
     for (const Path& path : paths.path) {
         if (path.met < 0) continue;
         std::int64_t& before = paths.before[path.met];
@@ -476,8 +476,8 @@ void follow(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
 
 // ---- Loops between vertices
 
-// Whether holds(other) is true for all neighbours of a triangle's corner. Walks around the corner over the edges that
-// begin there; at a border of the mesh it then walks the other way.
+// Returns whether holds(other) is true for all neighbours of a triangle's corner. It walks around the corner along the
+// edges that begin there. At a border of the mesh, it continues in the other sense.
 template <class Holds>
 bool all_neighbours(const SurfaceMesh& mesh, std::int64_t triangle, std::int32_t vertex, const Holds& holds) {
     for (const std::int64_t over : {0, 2}) {
@@ -494,9 +494,9 @@ bool all_neighbours(const SurfaceMesh& mesh, std::int64_t triangle, std::int32_t
     return true;
 }
 
-// Whether g has one sign at the corners of a triangle and |g| at one corner is lower than its difference to another
-// corner. The extremum of a quadratic is then nearer than half an edge, and lower by a quarter of that difference. This
-// runs for every triangle, so it has no branches.
+// Returns whether g has one sign at the corners of a triangle, and |g| at a corner is less than its difference from
+// another corner. The extremum of a quadratic is then less than half an edge away, and lower by a quarter of the
+// difference. The function runs for every triangle, so it has no branches.
 bool is_low(double a, double b, double c) noexcept {
     const double least = std::min(std::abs(a), std::min(std::abs(b), std::abs(c)));
     const double most = std::max(std::abs(a), std::max(std::abs(b), std::abs(c)));
@@ -504,8 +504,8 @@ bool is_low(double a, double b, double c) noexcept {
     return (unsigned(least < most - least) & ~parted) != 0;
 }
 
-// Finds vertices where |g| is low and no larger than at any neighbour, and all neighbours have the same sign of g;
-// ascending.
+// Returns in ascending order the vertices where |g| is low and not above that of any neighbour, and where all
+// neighbours have the same sign of g.
 base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMesh& mesh,
                                    const base::Array<double>& level) {
     constexpr std::int64_t triangles_a_task = 8192;
@@ -532,7 +532,8 @@ base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMe
     return all;
 }
 
-// Evaluates f and g at the points. If a step along grad f is longer than `near`, evaluates again after the step.
+// Evaluates f and g at points. If the step along grad f to the surface is longer than `near`, it makes the step and
+// evaluates again.
 void evaluate_on_surface(const base::Work& work, const Level& level, double near, base::Array<CurvePoint>& points,
                          std::int64_t& evaluations) {
     evaluate(work, level, points);
@@ -581,7 +582,7 @@ base::Array<Bracket> find_small_loops(const base::Work& work, const Level& level
             found.push_back(negative ? Bracket{vertex, three[k].position} : Bracket{three[k].position, vertex});
             return false;
         }
-        const auto slope = [&](const CurvePoint& p) { // the gradient of g along the surface, in the basis u, v
+        const auto slope = [&](const CurvePoint& p) { // the gradient of g on the surface, in the basis u, v
             const glm::dvec3 n = p.gradient / glm::dot(p.gradient, p.gradient);
             const glm::dvec3 g = p.level_gradient - glm::dot(p.level_gradient, n) * p.gradient;
             return glm::dvec2(glm::dot(g, search.u), glm::dot(g, search.v));
@@ -703,7 +704,7 @@ base::Array<std::int64_t> add_curves_from(TraceState& state, base::Array<CurvePo
     }
     const double same = curve_tuning.close * side;
     const geometry::PointGrid grid(places, same);
-    Curves runs(memory); // each has one point
+    Curves runs(memory); // runs of one point each
     for (std::int64_t i = 0; i < fresh.size(); ++i) {
         bool first = true;
         grid.around(places[i], [&](std::int64_t at) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Traces all curves f = g = 0 on a meshed surface. Where g changes its sign on the mesh, points are brought onto
-// curves, all in parallel; gaps between points that cannot be linked are followed step by step. Afterwards every change
-// of sign is checked for its curve, and every vertex where |g| is least for a loop between vertices.
+// Traces all curves f = g = 0 on a meshed surface. Points where g changes its sign on the mesh are moved onto curves,
+// all in parallel. If two points cannot be linked, the curve between them is followed step by step. In the end, two
+// checks find missing curves: every change of sign must have a curve near it, and around every vertex where |g| is
+// least, a loop between the vertices is searched for.
 #pragma once
 
 #include "base/operation.h"
@@ -11,30 +12,30 @@
 namespace hrbfnpr::curves {
 
 struct TraceSettings {
-    double longest = 1.0;                  // the longest step, in sides of the mesh
-    double shortest = 1e-4;                // in sides: curves that need shorter steps are abandoned
-    double turn = 0.33;                    // the greatest turn between points, in radians
-    double tolerance = 2e-4;               // in sides: a shorter Newton step is the last one
-    std::int32_t evaluation_limit = 20000; // the limit for each start
+    double longest = 1.0;    // the longest step, in mesh sides
+    double shortest = 1e-4;  // the shortest step, in mesh sides; a curve that needs shorter steps is abandoned
+    double turn = 0.33;      // the largest turn between points, in radians
+    double tolerance = 2e-4; // in mesh sides; a Newton step below this is the last one
+    std::int32_t evaluation_limit = 20000; // the largest number of evaluations for each start
 };
 
 struct TraceReport {
     std::int64_t starts = 0;
     std::int64_t evaluations = 0;
-    std::int64_t broken = 0; // curves that end inside the surface: steps became too short
+    std::int64_t broken = 0; // curves that end inside the surface, because steps became too short
     std::int64_t added = 0;  // starts on curves that the first starts missed
-    std::int64_t loops = 0;  // the number of added starts that are on loops between the mesh's vertices
-    std::int64_t missed = 0; // changes of sign without a curve
+    std::int64_t loops = 0;  // the added starts on loops between the vertices of the mesh
+    std::int64_t missed = 0; // changes of sign without a curve near them
 };
 
-// Gives the same bits for any thread count. near: places near the curves, in order along them, such as moved_contours()
-// of the previous view. They are tried before the changes of sign on the mesh; curves that they miss are still found
-// from these.
+// Traces the curves. `near` has places near the curves, in order along them, such as moved_contours() of the previous
+// view. They are the first starts. Curves that they miss are found from the changes of sign on the mesh. The result has
+// the same bits for any number of threads.
 [[nodiscard]] Curves trace(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
                            const TraceSettings& settings, TraceReport& report, const Curves* near = nullptr);
 
-// Predicts where points of another view's contours lie in this view, by one Newton step with the stored derivatives of
-// f. This works because grad g changes little if the view changes little. Points that move by more than `farthest` are
+// Predicts the positions in this view of the contours of another view: each point makes one Newton step with the stored
+// derivatives of f, because grad g changes little between similar views. Points that move by more than `farthest` are
 // dropped.
 [[nodiscard]] Curves moved_contours(base::Memory& memory, const View& view, const Curves& contours, double farthest);
 

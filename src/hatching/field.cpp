@@ -30,15 +30,15 @@ namespace {
 // ---- Numbers as seen from neighbours
 
 struct Link {
-    Complex factor; // transports the number of node `to` to the node where the link begins
+    Complex factor; // the factor that transports the number of node `to` to the node where the link begins
     std::int32_t to;
-    // 1; or -1 if the number is conjugated first, because the lines of both nodes point in opposite directions.
+    // 1. If it is -1, the lines of both nodes point in opposite directions, and the number is conjugated first.
     float sense;
 };
 
 constexpr std::int64_t nodes_a_task = 2048;
 
-// Calls visit(i) once for each node, concurrently.
+// Calls visit(i) once for each node, in parallel.
 template <class Visit>
 void for_nodes(const base::Work& work, std::int64_t nodes, const Visit& visit) {
     work.for_chunks(nodes, nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
@@ -48,7 +48,8 @@ void for_nodes(const base::Work& work, std::int64_t nodes, const Visit& visit) {
 
 class Links {
 public:
-    // The graph must outlive the links. link_between(i, j): the link from node i to its neighbour j.
+    // Makes the links of a graph, which must outlive them. link_between(i, j) returns the link from node i to its
+    // neighbour j.
     template <class LinkBetween>
     Links(const base::Work& work, const Graph& graph, const LinkBetween& link_between)
         : graph_(graph), link_(work.memory) {
@@ -75,11 +76,11 @@ public:
         }
         return sum;
     }
-    // The mean over node i and its neighbours.
+    // Returns the mean of the numbers of node i and its neighbours, as seen from node i.
     [[nodiscard]] Complex mean(std::int64_t i, const Numbers& z) const noexcept {
         return (neighbour_sum(i, z) + z[i]) / (1.0 + count(i));
     }
-    // Turns the links into links for waves of half the period: along each link the phase grows by twice as much.
+    // Converts the links for waves of half the period: along each link, the phase grows by twice as much.
     void halve_period(const base::Work& work) {
         for_nodes(work, nodes(), [&](std::int64_t i) {
             for (std::int64_t k = graph_.first[i]; k < graph_.first[i + 1]; ++k)
@@ -92,7 +93,7 @@ private:
     base::Array<Link> link_;
 };
 
-// Replaces z by next(i, z) at all nodes at once, `rounds` times.
+// Replaces z by next(i, z) at all nodes simultaneously. Repeats this `rounds` times.
 template <class Next>
 void iterate(const base::Work& work, int rounds, Numbers& z, const Next& next) {
     Numbers after(work.memory, z.size());
@@ -102,7 +103,8 @@ void iterate(const base::Work& work, int rounds, Numbers& z, const Next& next) {
     }
 }
 
-// Sums value(i) over all nodes: first within each task, then over the tasks in order, so that threads change no bits.
+// Returns the sum of value(i) over all nodes. It is summed within each task, then over the tasks in order, so the
+// result does not depend on the number of threads.
 template <class Value>
 double sum_over(const base::Work& work, std::int64_t nodes, const Value& value) {
     base::Array<double> part(work.memory, (nodes + nodes_a_task - 1) / nodes_a_task);
@@ -119,9 +121,9 @@ double sum_over(const base::Work& work, std::int64_t nodes, const Value& value) 
 // The real part of conj(a) b.
 double inner_product(const Complex& a, const Complex& b) noexcept { return a.real() * b.real() + a.imag() * b.imag(); }
 
-// Conjugate gradients for the system diagonal_i x_i - coupling * links.around(i, x) = right_i, which must be positive
-// definite over the reals. x is the start and becomes the solution. The iteration ends when the norm of the residual is
-// at most `tolerance` times that of the right side.
+// Solves the system diagonal_i x_i - coupling * links.around(i, x) = right_i by conjugate gradients. The system must be
+// positive definite over the reals. x is the start and becomes the solution. The iteration ends when the norm of the
+// residual is at most `tolerance` times that of the right side.
 void solve(const base::Work& work, double tolerance, int most_steps, const Links& links,
            const base::Array<double>& diagonal, double coupling, const Numbers& right, Numbers& x) {
     const std::int64_t n = right.size();
@@ -170,8 +172,8 @@ bool are_linked(const SampleGraph& graph, std::int64_t i, std::int64_t j) noexce
     return std::abs(glm::dot(way, a)) <= steepest && std::abs(glm::dot(way, b)) <= steepest;
 }
 
-// Returns the link that transports a line of sample j, as exp(2 i angle) in its frame, to sample i: by the rotation
-// that takes one normal to the other along the shortest way.
+// Returns the link that transports the line of sample j, exp(2 i angle) in its frame, to sample i. It uses the smallest
+// rotation that turns one normal into the other.
 Link line_link(const SampleGraph& graph, std::int64_t i, std::int32_t j) noexcept {
     const glm::dvec3 a = graph.normal[i];
     const glm::dvec3 b = graph.normal[j];
@@ -198,7 +200,7 @@ AveragedCurvatures average_curvatures(const marks::Site& site, const SampleGraph
     AveragedCurvatures averaged{base::Array<double>(site.memory(), graph.nodes()),
                                 Numbers(site.memory(), graph.nodes())};
     Numbers means(site.memory(), graph.nodes());
-    const double sharpest = 4.0 / graph.spacing; // samples do not resolve sharper bends
+    const double sharpest = 4.0 / graph.spacing; // Samples cannot represent larger curvatures.
     for (std::int64_t i = 0; i < graph.nodes(); ++i) {
         const surface::Curvature& c = curvature[i];
         const double k1 = std::clamp(c.k1, -sharpest, sharpest);
@@ -229,7 +231,8 @@ Complex in_frame(const SampleGraph& graph, std::int64_t i, const glm::dvec3& v) 
 // Where the surface faces the eye, this line has little weight. Near the silhouette it is conjugate to the tangent part
 // of the direction to the eye: II(view, line) = 0. The tangent of a silhouette is so.    [Hertzmann & Zorin 2000]
 Complex silhouette_line(double mean, const Complex& difference, const Complex& view, double diagonal) noexcept {
-    const Complex turned = mean * view + difference * std::conj(view); // by the shape operator
+    // The direction to the eye, transformed by the shape operator.
+    const Complex turned = mean * view + difference * std::conj(view);
     const double size = std::abs(turned);
     if (!(size > 0.0)) return Complex(0.0);
     const double sure = std::min(1.0, hatching_tuning.full_radius * diagonal * size / std::abs(view));
@@ -255,8 +258,8 @@ Complex guide_line(const SampleGraph& graph, std::int64_t i, const AveragedCurva
     return line * line;
 }
 
-// Returns the line around the axis, weighted by the sine between axis and normal, squared. Between creases, a flat face
-// across the axis gets only rounding errors from its neighbours, so it uses another axis.
+// Returns the line around the axis. Its weight is the squared sine of the angle between axis and normal. On a flat face
+// between creases that is perpendicular to the axis, neighbours give only rounding errors, so another axis is used.
 Complex axis_line(const SampleGraph& graph, std::int64_t i, const FieldSettings& settings,
                   const Complex& wanted) noexcept {
     const auto around = [&](const glm::dvec3& axis, double weight) {
@@ -303,9 +306,9 @@ Links wave_links(const base::Work& work, const Graph& graph, const Waves& waves,
             }};
 }
 
-// Returns the wave on which neighbours agree most: the eigenvector of the least eigenvalue, by inverse iteration. The
-// eigenvector is large in a few places only; where it is small its phase is right already. It grows by at most 1 /
-// eigen_shift in each step, which cannot overflow.
+// Returns the wave on which neighbours agree most: the eigenvector of the smallest eigenvalue, by inverse iteration.
+// The eigenvector is large only in a few places, but its phase is correct elsewhere, too. It grows by at most the
+// factor 1 / eigen_shift in each step, so it cannot overflow.
 Numbers first_wave(const base::Work& work, const Links& links, std::uint64_t seed) {
     const std::int64_t n = links.nodes();
     base::Array<double> diagonal(work.memory, n);
@@ -324,9 +327,9 @@ Numbers first_wave(const base::Work& work, const Links& links, std::uint64_t see
     return x;
 }
 
-// A wave of half the period of the links has twice the phase. Plain means make it low where it is squeezed or
-// stretched. There, waves of the right length grow in from the surroundings, and a fork of two lines becomes two forks.
-// Waves of unit height could not do that, and lines would stay too dense or too sparse.
+// Returns a wave of half the period: its phase is twice as large. Plain means make the wave small where it is squeezed
+// or stretched. Waves of the correct length then grow into these places from their surroundings, and a fork of two
+// lines becomes two forks. Waves of unit height could not do this, and lines would stay too dense or too sparse.
 Numbers halved(const base::Work& work, const Links& links, const Numbers& wave, int means) {
     HRBFNPR_ASSERT(links.nodes() == wave.size());
     Numbers z(work.memory, wave.size());
@@ -342,7 +345,7 @@ struct WeightedSample {
     std::int64_t sample;
     double weight;
     bool turned = false;
-    Complex factor{1.0}; // transports the sample's wave to the vertex
+    Complex factor{1.0}; // the factor that transports the wave of the sample to the vertex
 };
 
 // Returns the unit line of a vertex from those of the samples around it; 0 if it has none. A line has no sign, so
@@ -422,8 +425,7 @@ Waves interpolated(const base::Work& work, const SampleGraph& graph, const Waves
     return result;
 }
 
-// Makes a graph in which both ends of an edge are neighbours of each other. The mesh lists an edge at a border for one
-// end only.
+// Makes a graph in which neighbours are mutual. The mesh lists a border edge for only one of its ends.
 Graph graph_of(base::Memory& memory, const curves::SurfaceMesh& mesh) {
     Graph graph(memory);
     graph.first.resize(mesh.vertices() + 1);
@@ -455,7 +457,8 @@ void link_samples(const base::Work& work, SampleGraph& graph) {
     graph.u.resize(n);
     for (std::int64_t i = 0; i < n; ++i) graph.u.set(i, geometry::any_perpendicular(graph.normal[i]));
     const geometry::Neighbours near(work.runtime().parallel, graph.position, hatching_tuning.neighbours, work);
-    base::Array<std::uint64_t> links(work.memory); // the start node in the upper half, the end node in the lower half
+    // The start node in the upper half of each number, the end node in the lower half.
+    base::Array<std::uint64_t> links(work.memory);
     for (const std::int64_t i : work.over(n)) {
         for (const std::int64_t j : near.of(i)) {
             if (!are_linked(graph, i, j)) continue;
@@ -463,7 +466,7 @@ void link_samples(const base::Work& work, SampleGraph& graph) {
             links.push_back(static_cast<std::uint64_t>(j) << 32U | static_cast<std::uint64_t>(i));
         }
     }
-    base::sort_long(links.begin(), links.end(), std::less<>(), work); // equal numbers are the same link
+    base::sort_long(links.begin(), links.end(), std::less<>(), work); // Equal numbers are the same link, found twice.
     links.resize(std::unique(links.begin(), links.end()) - links.begin());
     graph.first.resize(n + 1);
     for (const std::uint64_t link : links) {
@@ -474,7 +477,7 @@ void link_samples(const base::Work& work, SampleGraph& graph) {
 }
 
 // L is the Laplacian of the links, q the wanted lines, a their confidence, l the smoothing length and h the spacing.
-// This solves (L (l / h)^2 / 6 + a) z = a q, and then again, twice, with a term that pulls z to unit length.
+// This solves (L (l / h)^2 / 6 + a) z = a q, and then twice more, with a term that pulls z to unit length.
 base::Array<double> line_angles(const marks::Site& site, const SampleGraph& graph, const FieldSettings& settings,
                                 const marks::DirectionFunction& function) {
     const base::Runtime& runtime = site.work;

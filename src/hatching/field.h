@@ -25,44 +25,45 @@ using Complex = std::complex<double>;
 using Numbers = base::Array<Complex>; // one number per node
 inline constexpr double tau = 2.0 * std::numbers::pi;
 
-// The product of finite numbers. The operator of std::complex checks for NaN, which costs more than the product.
+// Returns the product of finite numbers. The operator of std::complex also checks for NaN, which takes longer than the
+// product.
 [[nodiscard]] inline Complex product(const Complex& a, const Complex& b) noexcept {
     return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
 // ---- The field
 
-// The links between nodes: the neighbours of node i are those from first[i] up to first[i + 1].
+// The links between nodes. Those of node i are from first[i] up to first[i + 1].
 struct Graph {
     explicit Graph(base::Memory& memory) noexcept : first(memory), neighbour(memory) {}
 
     [[nodiscard]] std::int64_t nodes() const noexcept { return first.size() - 1; }
 
-    base::Array<std::int64_t> first; // where the links of each node begin, and the end
+    base::Array<std::int64_t> first; // where the links of each node begin; at the end, the number of links
     base::Array<std::int32_t> neighbour;
 };
 
-// What lines follow. The values are those of hrbfnpr_layer_desc.guide.
+// The quantity that lines follow. The values equal those of hrbfnpr_layer_desc.guide.
 enum class Guide : std::uint32_t { curvature = 0, combing = 1, sections = 2, light = 3, silhouette = 4 };
 
 struct FieldSettings {
-    double smoothing = 0.04;        // the length over which lines are smoothed, in diagonals
-    glm::dvec3 axis{0.0, 1.0, 0.0}; // where curvature has little confidence, lines run around this axis
+    double smoothing = 0.04;        // the length over which the field is smoothed, in diagonals
+    glm::dvec3 axis{0.0, 1.0, 0.0}; // Where the confidence of curvature is low, lines run around this axis.
     double axis_weight = 0.06;      // the weight of the axis against curvature
     Guide guide = Guide::curvature;
-    glm::dvec3 guide_direction{0.0, 0.0, 1.0}; // unit: to the light, or to the eye
-    double guide_weight = 1.0;                 // the share of `guide`; curvature has the remaining share
+    glm::dvec3 guide_direction{0.0, 0.0, 1.0}; // a unit vector to the light or to the eye
+    double guide_weight = 1.0;                 // The weight of `guide`, from 0 to 1. Curvature has the rest.
     double diagonal = 1.0;
 
     [[nodiscard]] bool operator==(const FieldSettings& other) const noexcept = default;
 };
 
-// Even samples of the surface. No link of the graph leads over a crease or to another sheet.
+// Evenly spread samples of the surface. No link of the graph crosses a crease or leads to another sheet.
 struct SampleGraph : Graph {
     explicit SampleGraph(base::Memory& memory) noexcept
         : Graph(memory), position(memory), normal(memory), sheet(memory), u(memory) {}
 
-    // Return the unit tangent at an angle in the frame of sample i, and the angle of a tangent in it.
+    // tangent() returns the unit tangent at an angle in the frame of sample i, and angle() the angle of a tangent.
     [[nodiscard]] glm::dvec3 tangent(std::int64_t i, double angle) const noexcept {
         return std::cos(angle) * u[i] + std::sin(angle) * glm::cross(normal[i], u[i]);
     }
@@ -71,26 +72,27 @@ struct SampleGraph : Graph {
     }
 
     geometry::VecArray position, normal;
-    base::Array<std::int32_t> sheet; // the implicit's sheet at each sample; empty if the surface is smooth
-    geometry::VecArray u;            // the first axis of each sample's frame; the second is normal x u
+    base::Array<std::int32_t> sheet; // for each sample: its sheet of the implicit; empty if the surface is smooth
+    geometry::VecArray u;            // for each sample: the first axis of its frame; the second axis is normal x u
     double spacing = 0.0;            // the square root of the area per sample
 };
 
-// Links the samples. Their positions, normals, sheets and spacing must be set.
+// Finds the links between samples. Positions, normals, sheets and spacing must already be set.
 void link_samples(const base::Work& work, SampleGraph& graph);
 
-// Returns the line along the principal direction of the larger absolute curvature, as exp(2 i angle) times its
-// confidence from 0 to 1. `mean` is the mean of the principal curvatures, `difference` half their difference as a line.
+// Returns the line along the principal direction of the larger absolute curvature: exp(2 i angle) times its confidence
+// from 0 to 1. `mean` is the mean of the principal curvatures, and `difference` is half of their difference, as a line.
 [[nodiscard]] Complex curvature_line(double mean, const Complex& difference, double diagonal) noexcept;
 
-// Returns the angle of each sample's line in its frame. A function, if there is one, replaces the curvature.
+// Returns for each sample the angle of its line in its frame. If the caller gives a function of directions, it replaces
+// the curvature.
 [[nodiscard]] base::Array<double> line_angles(const marks::Site& site, const SampleGraph& graph,
                                               const FieldSettings& settings, const marks::DirectionFunction& function);
 
 // ---- Waves
 
-// Waves at the nodes of a graph, as exp(i phase). The phase grows across the line of each node, to the left of the line
-// as seen from outside. The magnitude, up to 1, says how well the waves around a node agree.
+// Waves at the nodes of a graph, as exp(i phase). The phase grows across the line of each node, to its left as seen
+// from outside. The magnitude, up to 1, tells how well the waves around a node agree.
 struct Waves {
     Waves(base::Memory& memory, const geometry::VecArray& nodes, double coarsest)
         : position(nodes), along(memory, nodes.size()), across(memory, nodes.size()), period(coarsest), level(memory) {}
@@ -100,11 +102,12 @@ struct Waves {
         across.set(i, glm::cross(normal, tangent));
     }
     [[nodiscard]] bool has_line(std::int64_t i) const noexcept { return glm::dot(along[i], along[i]) > 0.0; }
-    // Returns whether the lines of two neighbours point in opposite directions; the sign of a line has no meaning.
+    // Returns whether the lines of two neighbours point in opposite directions. The sign of a line itself means
+    // nothing.
     [[nodiscard]] bool turned(std::int64_t a, std::int64_t b) const noexcept {
         return glm::dot(along[a], along[b]) < 0.0;
     }
-    // Returns by how much the phase of a wave of this period grows from node a to b, in the sense of a's line.
+    // Returns how much the phase of a wave of this period grows from node a to b, in the sense of a's line.
     [[nodiscard]] double growth(std::int64_t a, std::int64_t b, double wave_period) const noexcept {
         const glm::dvec3 there = across[b];
         const glm::dvec3 mean = 0.5 * (across[a] + (turned(a, b) ? -there : there));
@@ -116,19 +119,19 @@ struct Waves {
     }
 
     const geometry::VecArray& position; // the position of each node
-    geometry::VecArray along, across;   // unit, tangent; 0 if a node has no line
-    double period;                      // the period of the first wave, object units
-    base::List<Numbers> level;          // the waves, coarsest first
+    geometry::VecArray along, across;   // unit tangent vectors; 0 if a node has no line
+    double period;                      // the period of the first wave, in units of the object
+    base::List<Numbers> level;          // the waves, from coarse to fine
 };
 
 // Returns the wave as seen from a line that points in the opposite direction, or in the same one.
 [[nodiscard]] inline Complex conjugated_if(const Complex& z, bool turned) noexcept { return turned ? std::conj(z) : z; }
 
-// Adds waves to the samples' lines: `levels` levels, or as many as the samples can represent.
+// Adds waves to the lines of samples: `levels` levels, or as many as the samples can represent.
 void add_sample_waves(const base::Work& work, const SampleGraph& graph, std::uint64_t seed, int levels, Waves& samples);
 
-// Interpolates the waves to the vertices of a mesh and adds finer ones: `levels` levels, or as many as the mesh can
-// represent. `sheets`: the implicit's sheet at each vertex; empty if the samples have none.
+// Interpolates the waves to the vertices of a mesh and adds finer waves: `levels` levels, or as many as the mesh can
+// represent. `sheets` has the implicit's sheet at each vertex; it is empty if the samples have none.
 [[nodiscard]] Waves waves_at_vertices(const base::Work& work, const SampleGraph& graph, const Waves& samples,
                                       const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets,
                                       int levels);

@@ -12,7 +12,7 @@
 namespace hrbfnpr::hatching {
 namespace {
 
-// Lines that are a separation apart have a total length of area / separation.
+// If lines are a separation apart, their total length is area / separation.
 double separation_of(const Settings& settings, double area) noexcept {
     if (settings.separation > 0.0) return settings.separation;
     const auto budget = static_cast<double>(std::max<std::int64_t>(settings.budget, 1));
@@ -32,7 +32,8 @@ void require_room(const marks::Site& site, const Settings& settings, double area
              "layers[%lld]: a separation of %g and a step of %g make about %.2g marks, more than %lld; use larger ones",
              static_cast<long long>(settings.layer), site.unit * separation, site.unit * step, marks,
              static_cast<long long>(marks::most_even_marks));
-    // Marks far apart give few marks, but as many lines, which must all be found.
+    // The separation limits the work, not the number of marks: marks that are far apart are few, but the lines between
+    // them must still be found.
     const double squares = area / (separation * separation);
     if (squares > static_cast<double>(marks::most_even_marks))
         fail(Status::invalid_argument,

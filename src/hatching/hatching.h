@@ -16,13 +16,15 @@ namespace hrbfnpr::hatching {
 
 // Lengths are in object units.
 struct Settings {
-    std::int64_t layer = 0;  // for messages
-    std::int64_t budget = 0; // the approximate number of marks, used if there is no separation
-    double separation = 0.0; // distance between neighbouring lines of all levels together; 0: set by the budget
-    double step = 0.0;       // the distance between the marks of a line; 0: a share of the separation
-    double angle = 0.0;      // lines are turned by this in the tangent plane, counter-clockwise from outside; radians
+    std::int64_t layer = 0;  // the number of the layer, for messages
+    std::int64_t budget = 0; // The approximate number of marks. It is used if `separation` is 0.
+    // The distance between neighbouring lines, with the lines of all levels. 0: the budget decides.
+    double separation = 0.0;
+    double step = 0.0; // The distance between marks along a line. 0: a share of the separation.
+    // The angle by which lines are rotated in the tangent plane, counter-clockwise as seen from outside, in radians.
+    double angle = 0.0;
     FieldSettings field;
-    marks::DirectionFunction direction; // its directions replace the curvature
+    marks::DirectionFunction direction; // A function whose directions replace the curvature.
 
     // Returns whether lines of both settings can use one HatchingField.
     [[nodiscard]] bool shares_field_with(const Settings& other) const noexcept;
@@ -44,9 +46,9 @@ private:
     geometry::Bounds region_;
     double area_ = 0.0;
     SampleGraph graph_;
-    base::Array<double> angle_; // the angle of the field's line at each sample, in the sample's frame, radians
+    base::Array<double> angle_; // for each sample: the angle of the field's line in its frame, in radians
     curves::SurfaceMesh mesh_;
-    base::Array<std::int32_t> sheet_; // the sheet of each vertex if the mesh is split at creases; else empty
+    base::Array<std::int32_t> sheet_; // for each vertex: its sheet, if the mesh is split at creases; else empty
 };
 
 } // namespace hrbfnpr::hatching

@@ -25,23 +25,23 @@ constexpr std::int64_t triangles_a_task = 4096;
 
 // ---- Crests of waves
 
-// The place where a crest crosses an edge of the mesh, from vertex a to b.
+// The place where a crest crosses an edge of the mesh. The edge goes from vertex a to vertex b.
 struct Crossing {
-    double share;      // the position between a and b, from 0 to 1
-    std::int32_t a, b; // vertices
-    bool rises;        // whether the phase grows from a to b, in the sense of a's line
+    double share;      // the position on the edge, from 0 at a to 1 at b
+    std::int32_t a, b; // numbers of vertices
+    bool rises;        // true if the phase grows from a to b, in the sense of a's line
     std::uint8_t level;
 };
 
-// Edge 3 t + k of a mesh runs from corner k of triangle t to the next corner. Of the two triangles at an edge, the one
-// with the lower number owns it.
+// Edge 3 t + k goes from corner k of triangle t to the next corner. If two triangles share an edge, the triangle with
+// the lower number owns it.
 std::int32_t end_of(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
     return mesh.corner[edge - edge % 3 + (edge % 3 + 1) % 3];
 }
 bool is_owned(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
     return mesh.neighbour[edge] < 0 || edge / 3 < mesh.neighbour[edge];
 }
-// Returns the same edge in the triangle across it; -1 if there is no such triangle.
+// Returns the same edge as an edge of the other triangle there, or -1 if there is none.
 std::int64_t across(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
     const std::int64_t other = 3 * std::int64_t{mesh.neighbour[edge]};
     for (std::int64_t k = other; k >= 0 && k < other + 3; ++k)
@@ -50,7 +50,7 @@ std::int64_t across(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept
 }
 
 // Calls visit(crossing, line number) for all crests of the finest wave between two vertices, and for 2^halvings - 1
-// lines between any two crests, in the order of their numbers.
+// lines between any two consecutive crests, in the order of their numbers.
 template <class Visit>
 void visit_crests(const Waves& waves, int halvings, std::int32_t a, std::int32_t b, const Visit& visit) {
 
@@ -67,8 +67,8 @@ void visit_crests(const Waves& waves, int halvings, std::int32_t a, std::int32_t
     }
 }
 
-// A wave that was halved r times less than the finest lines has every 2^r-th of them as a crest. For waves up to the
-// finest one the line number does not tell, so the waves are evaluated at the crossing.
+// Returns the level of a line. A wave that was halved r times less than the finest lines has each 2^r-th of them as a
+// crest. For waves up to the finest wave, the line number is not enough, so the waves are evaluated at the crossing.
 std::uint8_t level_of(const Waves& waves, int halvings, const Crossing& c, std::int64_t line) noexcept {
     const int twos = std::countr_zero(static_cast<std::uint64_t>(line));
     if (twos < halvings) return static_cast<std::uint8_t>(waves.finest() + halvings - twos);
@@ -85,11 +85,11 @@ std::uint8_t level_of(const Waves& waves, int halvings, const Crossing& c, std::
 struct Crossings {
     explicit Crossings(base::Memory& memory) noexcept : first(memory), crossing(memory), link(memory) {}
 
-    // The number of each edge's first crossing, and the end. An edge that another triangle owns has no crossings.
+    // For each edge: the index of its first crossing; and the end. An edge that another triangle owns has no crossings.
     base::Array<std::int64_t> first;
-    base::Array<Crossing> crossing; // in order along the edge
-    // Two links per crossing: to the next one in the owner's triangle, and to the next one in the triangle across; -1:
-    // none.
+    base::Array<Crossing> crossing; // the crossings, in order along each edge
+    // Two links per crossing: to the next crossing in the owner's triangle, and to the next crossing in the other
+    // triangle. -1: there is none.
     base::Array<std::int64_t> link;
 };
 
@@ -118,15 +118,16 @@ Crossings cross_edges(const base::Work& work, const curves::SurfaceMesh& mesh, c
             found.crossing[at++] = c;
         });
         HRBFNPR_ASSERT(at == found.first[edge + 1]);
-        // If the phase falls along the edge, the lines were visited in reverse.
+        // If the phase falls along the edge, the crossings were found in reverse order.
         if (at > found.first[edge] && !found.crossing[found.first[edge]].rises)
             std::reverse(found.crossing.data() + found.first[edge], found.crossing.data() + at);
     });
     return found;
 }
 
-// Walking around a triangle, a line that enters leaves where the phase returns: consecutive crossings of opposite sense
-// belong to one line, once the crossings between them are linked. Lines without a partner end here, at a fork.
+// Links the crossings on the edges of a triangle. Walking around the triangle, a line enters where the phase rises and
+// leaves where it falls. So two consecutive crossings of opposite sense belong to one line, once all crossings between
+// them are linked. A line without a partner ends here, at a fork.
 void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int64_t triangle, Crossings& found,
                    base::Array<std::int64_t>& open) {
     const std::int32_t corner = mesh.corner[3 * triangle];
@@ -134,13 +135,14 @@ void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int
     const std::int32_t last = mesh.corner[3 * triangle + 2];
     const bool next_turned = waves.turned(corner, next);
     const bool last_turned = waves.turned(corner, last);
-    if ((next_turned != last_turned) != waves.turned(next, last)) return; // the line field reverses its direction here
-    open.clear(); // 2 * slot + 1 if the phase rises, in the sense of the first corner's line
+    // The line field reverses its direction here, so nothing is linked.
+    if ((next_turned != last_turned) != waves.turned(next, last)) return;
+    open.clear(); // Each element is 2 * slot, plus 1 if the phase rises in the sense of the first corner's line.
     const auto add = [&](std::int64_t crossing, bool backwards, bool owned) {
         const Crossing& c = found.crossing[crossing];
         const bool turned = c.a == next ? next_turned : c.a == last && last_turned;
         const bool rises = (c.rises != turned) != backwards;
-        // The link slot of this crossing that is in this triangle.
+        // the link of this crossing that belongs to this triangle
         const std::int64_t slot = 2 * crossing + (owned ? 0 : 1);
         if (!open.empty() && (open.back() % 2 != 0) != rises) {
             const std::int64_t other = open.back() / 2;
@@ -279,7 +281,7 @@ struct LineRange {
     std::int64_t begin, end;
     bool closed;
 
-    // Return the neighbours of a point along the line; -1 beyond an end.
+    // These return the next and the previous point along the line, or -1 beyond an end.
     [[nodiscard]] std::int64_t after(std::int64_t i) const noexcept {
         return i + 1 < end ? i + 1 : closed ? begin : -1;
     }
@@ -298,7 +300,8 @@ void for_lines(const base::Work& work, const Lines& lines, const Visit& visit) {
     });
 }
 
-// Replaces the points of a line by moved(i, point before, point, point after), from their old places; open ends stay.
+// Replaces each point of a line by moved(i, point before, point, point after). The arguments are the old positions.
+// Open ends stay.
 template <class Moved>
 void move_between(geometry::VecArray& position, const LineRange& line, const Moved& moved) {
     const glm::dvec3 first = position[line.begin];
@@ -327,8 +330,8 @@ void set_across(const Lines& lines, const LineRange& line, geometry::VecArray& a
 
 // A place on a neighbouring line, between two of its points.
 struct Neighbour {
-    std::int32_t from = -1, to = -1; // -1: there is no neighbouring line
-    float share = 0.0F;              // where the place is between the two points: 0 at `from`, 1 at `to`
+    std::int32_t from = -1, to = -1; // -1 if there is no neighbouring line
+    float share = 0.0F;              // the position between the two points: 0 at `from`, 1 at `to`
     float gap = 0.0F;                // the distance to the neighbouring line, in separations
     float sense = 0.0F;              // 1 if the neighbouring line's `across` points to the same side, else -1
 };
@@ -343,7 +346,7 @@ void find_neighbours(const base::Work& work, const Lines& lines, const geometry:
     const double step = hatching_tuning.even_step;
     const geometry::PointGrid grid(lines.position, (hatching_tuning.neighbour_reach + step) * separation, work);
     const geometry::VecArray places = grid.in_order(lines.position, work);
-    base::Array<std::int32_t> next(work.memory); // the next point on each point's line; -1 at its end
+    base::Array<std::int32_t> next(work.memory); // for each point: the next point of its line, or -1 at the end
     base::resize_long(next, lines.position.size(), work);
     for_lines(work, lines, [&](const LineRange& line) {
         for (std::int64_t i = line.begin; i < line.end; ++i) next[i] = static_cast<std::int32_t>(line.after(i));
@@ -475,7 +478,7 @@ bool mark_kinks(const Lines& lines, const LineRange& line, base::Array<float>& t
     return any;
 }
 
-// Moves points in kinks sideways, half the way to the middle between the points before and after.
+// Moves the points of kinks sideways, half of the way to the middle between the points before and after.
 void straighten(const base::Work& work, Lines& lines, geometry::VecArray& across) {
     base::Array<float> turn(work.memory, lines.position.size());
     base::Array<std::uint8_t> kink(work.memory, lines.position.size());
@@ -493,8 +496,8 @@ void straighten(const base::Work& work, Lines& lines, geometry::VecArray& across
 
 // ---- Marks along lines
 
-// Around a fork of a coarse wave a line changes its level often, but only lasting changes should remain. So each mark
-// gets the median level of the marks up to `reach` away along the line.
+// Smooths the levels of marks. Around a fork of a coarse wave, the level of a line changes often, but only lasting
+// changes should remain. So each mark gets the median level of the marks within `reach` along the line.
 void smooth_levels(Lines& lines, std::int64_t reach) {
     base::Array<std::uint8_t> median(lines.first.memory());
     base::Array<std::uint8_t> near(lines.first.memory());
@@ -530,9 +533,9 @@ void project_lines(const marks::Site& site, double separation, const geometry::B
     }
 }
 
-// Returns 1 for each mark on another sheet than the mark before it; for the first mark of a closed line this is the
-// last one. All are 0 if the surface is smooth. A mark on the crease itself gets the sheet and the normal of the marks
-// that it continues, or else of those that it leads to.
+// Returns 1 for each mark that is on another sheet than the mark before it. In a closed line, the last mark is before
+// the first. On a smooth surface all are 0. A mark on a crease gets the sheet and the normal of the marks before it, or
+// else of the marks after it.
 base::Array<std::uint8_t> starts_at_creases(const marks::Site& site, Lines& lines) {
     base::Array<std::int32_t> sheet = surface::sheets_at(site.work, site.implicit, lines.position);
     base::Array<std::uint8_t> starts(site.memory(), sheet.size());
@@ -549,7 +552,7 @@ base::Array<std::uint8_t> starts_at_creases(const marks::Site& site, Lines& line
     const auto has_settled = [&](std::int64_t i) { return lines.normal[i] != glm::dvec3(0.0); };
     for (std::int64_t l = 0; l < lines.count(); ++l) {
         site.work.check();
-        bool goes_on = false; // whether the mark before continues the one before that
+        bool goes_on = false; // true if the mark before has the same sheet as the mark before that
         for (std::int64_t i = lines.first[l], last = lines.first[l + 1] - 1; i < lines.first[l + 1]; last = i++) {
             if (i == lines.first[l] && lines.closed[l] == 0) continue;
             const bool both = has_settled(last) && has_settled(i);
@@ -567,11 +570,11 @@ bool is_a_step(const glm::dvec3& a, const glm::dvec3& b, double step) noexcept {
     return distance > hatching_tuning.least_step && distance < hatching_tuning.most_step;
 }
 
-// A line ends where its face of the mesh does. But once it has been moved, its last mark may lie beyond the crease, on
-// the next sheet, or short of the crease. So an end beside a crease gets a mark on the crease.
+// A mark at the end of a line on a crease. A line ends at the end of its face of the mesh, but its last mark may have
+// moved beyond the crease, to the next sheet, or may be short of the crease. So a mark on the crease is added.
 struct CreaseEnd {
     surface::MeetingPlace place;
-    bool replaces = false; // replaces the line's last mark, which is too close
+    bool replaces = false; // true if it replaces the last mark of the line, which is too close
 };
 
 CreaseEnd crease_end(const implicit::Sheets* sheets, const glm::dvec3& inner, const glm::dvec3& end, double step) {
@@ -611,7 +614,7 @@ Lines cut_lines(const marks::Site& site, const Lines& lines, const base::Array<s
         pieces.end_line(false);
     };
     for (std::int64_t l = 0; l < lines.count(); ++l) {
-        // The first mark of a closed line is repeated as its last one.
+        // In a closed line, the first mark is repeated at the end.
         const std::int64_t count = lines.points(l) + (lines.closed[l] != 0 ? 1 : 0);
         std::int64_t begin = 0;
         for (std::int64_t k = 1; k <= count; ++k) {
@@ -662,7 +665,7 @@ Lines join_ends(const Lines& lines, double reach, const base::Progress& progress
     const base::Array<std::int64_t> partner = pair_ends(lines, ends, reach, progress);
     Lines result(lines.first.memory());
     base::Array<std::uint8_t> taken(lines.first.memory(), lines.count());
-    // Follows the line of this end, then the line joined to its other end, and so on.
+    // Follows the line that has this end, then the line that is joined to its other end, and so on.
     const auto follow = [&](std::int64_t from) {
         std::int64_t end = from;
         bool closed = lines.closed[from / 2] != 0;
@@ -695,7 +698,7 @@ Lines resampled(const Lines& lines, double step, double shortest, const base::Pr
         if (!(length >= shortest)) continue;
         const auto steps = static_cast<std::int64_t>(std::max(2.0, std::round(length / step)));
         std::int64_t k = 0;
-        double before = 0.0; // the length up to point k
+        double before = 0.0; // the length of the line up to point k
         for (std::int64_t i = 0; i < (lines.closed[l] != 0 ? steps : steps + 1); ++i) {
             const double wanted = length * static_cast<double>(i) / static_cast<double>(steps);
             for (; k + 1 < legs && before + leg(k) < wanted; ++k) before += leg(k);

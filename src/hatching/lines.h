@@ -22,34 +22,36 @@ struct Lines {
     [[nodiscard]] std::int64_t points(std::int64_t line) const noexcept { return first[line + 1] - first[line]; }
     void add_point(const glm::dvec3& at, const glm::dvec3& its_normal, std::uint8_t its_level,
                    const base::Progress& progress);
-    // Makes a line of the points that were added since the last line.
+    // Ends a line: it consists of the points added since the end of the last line.
     void end_line(bool is_closed);
 
-    base::Array<std::int64_t> first;  // the first point of each line, and the end
-    base::Array<std::uint8_t> closed; // for each line: 1 if its first point follows its last one, else 0
+    base::Array<std::int64_t> first;  // the index of the first point of each line; at the end, the number of points
+    base::Array<std::uint8_t> closed; // for each line: 1 if it is closed, else 0
     geometry::VecArray position;
-    geometry::VecArray normal;       // unit; the surface's normal at each point, approximately
-    base::Array<std::uint8_t> level; // the number of the coarsest wave that has a crest at each point
+    geometry::VecArray normal;       // for each point: the unit normal of the surface, approximately
+    base::Array<std::uint8_t> level; // for each point: the number of the coarsest wave that has a crest there
 };
 
-// If the finest wave does not reach `levels` levels, further lines are inserted between its crests.
+// Finds lines along the crests of the finest wave. If there are fewer than `levels` waves, it inserts further lines
+// between crests.
 [[nodiscard]] Lines find_crests(const base::Work& work, const curves::SurfaceMesh& mesh, const Waves& waves,
                                 int levels);
 
-// Joins ends that are at most `reach` apart and run towards each other. The mesh does not always show a line that
-// passes through a fork, which leaves such gaps.
+// Joins ends that are at most `reach` apart and point towards each other. Where a line passes through a fork, the mesh
+// does not always show it, which leaves such gaps.
 [[nodiscard]] Lines join_ends(const Lines& lines, double reach, const base::Progress& progress);
 
-// Points are as close to `step` apart as the length of the line allows. Lines shorter than `shortest` are left out.
+// Returns the lines with new points, whose distance is `step`, as far as the length of a line allows. Lines shorter
+// than `shortest` are left out.
 [[nodiscard]] Lines resampled(const Lines& lines, double step, double shortest, const base::Progress& progress);
 
-// Moves lines sideways, by amounts that change slowly along each line, so that no line is bent. The points of the
-// result are about half a separation apart. The result has the same bits for any number of threads.
+// Moves lines sideways, so that they are evenly spaced. The amounts change slowly along each line, so that lines do not
+// bend. The points of the result are about half a separation apart. The result has the same bits for any number of
+// threads.
 [[nodiscard]] Lines even_out(const base::Work& work, const Lines& lines, double separation);
 
-// Appends marks a step apart along each line, projected onto the surface, line after line; lines with marks of a coarse
-// level come first. `separation` is the distance between the lines of all levels together. Marks outside the region are
-// dropped.
+// Appends marks along each line, a step apart, projected onto the surface. Lines with marks of a coarse level come
+// first. `separation` is the distance between the lines of all levels together. Marks outside the region are dropped.
 void add_line_marks(const marks::Site& site, const Lines& lines, double separation, double step,
                     const geometry::Bounds& region, marks::Marks& marks, marks::LayerReport& report);
 

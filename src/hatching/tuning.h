@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of hatching on the surface. scripts/bench strokes --only=surface measures their effects on bumpy
-// surfaces, tori, knots and the models that --models names.
+// The tuning constants for hatching on the surface. scripts/bench strokes --only=surface measures their effects on
+// bumpy surfaces, tori, knots and the models that --models names.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,21 @@ struct HatchingTuning {
 
     // The default distance between marks along a line, in separations. Larger: fewer marks.
     double step = 0.4;
-    // The coarsest level has about this many lines per square root of the area. Larger: fewer levels.
+    // The number of lines of the coarsest level, per square root of the area. Larger: fewer levels.
     double fewest_lines = 6.0;
 
     // ---- Samples
 
-    // Samples are this far apart, in separations; their number is clamped to the two numbers. Larger: coarser fields
-    // and waves.
+    // The distance between samples, in separations. The number of samples is limited by the two constants below.
+    // Larger: coarser fields and waves.
     double sample_spacing = 1.5;
     std::int64_t fewest_samples = 4096;
     std::int64_t most_samples = 32768;
-    // Each sample is linked to this many of its nearest samples, but not to samples farther away than `farthest_link`
-    // spacings.
+    // Each sample is linked to this many of its nearest samples, if they are within `farthest_link` spacings.
     std::int64_t neighbours = 8;
     double farthest_link = 3.0;
-    // Places whose normals have a cosine of at most this are on different sheets. Larger: thin walls are kept apart
-    // better, but sharp bends are split.
+    // Two places are on different sheets if the cosine of their normals is at most this. Larger: thin walls are kept
+    // apart better, but sharp bends are split.
     double same_sheet_cosine = 0.3;
     // Places are also on different sheets if the vector between them leaves a tangent plane by more than this share of
     // its length.
@@ -50,45 +49,45 @@ struct HatchingTuning {
     // A named guide has this weight against curvature of full confidence. Larger: it is smoothed less, and hardly
     // turned by the axis.
     double guide_strength = 4.0;
-    // How strongly lines are pulled to unit length. Larger: singular points are held more firmly where they are.
+    // The strength with which lines are pulled to unit length. Larger: singular points move less.
     double pull_to_unit = 0.2;
 
     // ---- Waves
 
-    // The shift and the steps of the inverse iteration for the first wave; the shift is relative to the number of
-    // neighbours. A smaller shift or more steps come closer to the eigenvector and take more time.
+    // The shift of the inverse iteration for the first wave, relative to the number of neighbours, and the number of
+    // its steps. A smaller shift or more steps give a better eigenvector and take more time.
     double eigen_shift = 0.02;
     int eigen_steps = 12;
-    // The shortest wave that samples can represent, in spacings of the samples. The mesh represents shorter waves, down
-    // to the size of its cells.
+    // The shortest period of a wave on samples, in spacings. The mesh represents shorter waves, down to the size of its
+    // cells.
     double finest_period = 1.5;
-    // Rounds of plain means after a wave is halved, on samples and on vertices of the mesh; they create forks. Larger:
-    // lines are more even, and have more forks.
+    // The numbers of rounds of plain means after a wave is halved: on samples, and on vertices of the mesh. They create
+    // forks. Larger: lines are more even, and have more forks.
     int sample_means = 100;
     int vertex_means = 20;
-    // After that, waves of unit height are averaged in this many rounds. Larger: fewer bends at forks.
+    // After these, waves of unit height are averaged in this many rounds. Larger: fewer bends at forks.
     int unit_averages = 20;
     // Vertices of the mesh take their waves from the samples within this many spacings. Larger: smoother waves.
     double sample_reach = 2.0;
 
     // ---- The mesh
 
-    // The area of the surface is at most this many squares of a cell's side; each cell has about twelve triangles.
+    // The area of the surface divided by the area of a cell's face is at most this. A cell has about twelve triangles.
     // Larger: finer lines are possible, with more memory.
     double most_cells = 1e5;
 
     // ---- Ends that are joined
 
-    // Ends are joined over gaps up to this, in separations; the lengths below are shares of it. Larger: fewer and
-    // longer lines, which may bend where they were joined.
+    // Ends are joined over gaps of at most this, in separations. The lengths below are shares of it. Larger: fewer and
+    // longer lines, which may bend where they are joined.
     double widest_gap = 2.0;
-    // Ends face each other if both end directions have at least this cosine with the gap between them.
+    // Two ends face each other if the cosine between the direction of each end and the gap is at least this.
     double facing_cosine = 0.95;
     // Over gaps shorter than `touching_gap`, only the angle between the two end directions counts, and it may be
     // larger.
     double touching_gap = 0.2;
     double touching_cosine = 0.8;
-    // The direction of an end comes from the part of the line up to this distance from it.
+    // The direction of an end is measured over this length of the line.
     double end_length = 0.5;
 
     // ---- Even lines; lengths are in separations
@@ -105,11 +104,11 @@ struct HatchingTuning {
     double least_way_around = 5.0;
     // Two lines are neighbours if the cosine of the angle between them is larger than this.
     double parallel_cosine = 0.7;
-    // A point within this many separations of another point's tangent plane is always accepted as its neighbour,
-    // however steep the way to it.
+    // A point is accepted as a neighbour if it is within this many separations of the tangent plane, even if the way to
+    // it is steep.
     double thickness = 0.1;
-    // In each of this many rounds, the neighbouring lines are searched again, and points make `moves` moves, each by
-    // the share `move_share` of the way to the middle. Larger: lines are more even, more time.
+    // In each of this many rounds, neighbouring lines are searched for again, and points make `moves` moves. Each move
+    // is the share `move_share` of the distance to the middle. Larger: lines are more even, more time.
     int rounds = 2;
     int moves = 12;
     float move_share = 0.8F;
@@ -122,20 +121,20 @@ struct HatchingTuning {
     // in radians. Larger: lines are more even, and show kinks.
     float most_turn = 0.4F;
     int points_of_kink = 5;
-    // A part that turns by more than this runs around a singular point of the field, and is not straightened.
+    // A part that turns by more than this, in radians, is around a singular point of the field. It is not straightened.
     float singular_turn = 1.2F;
-    // The most rounds in which a line is straightened.
+    // The largest number of rounds in which a line is straightened.
     int straightenings = 40;
 
     // ---- Marks; lengths are in steps
 
-    // A mark gets the median level over this length of its line, in separations. Larger: lines change their level less
-    // often, and later.
+    // Each mark gets the median level over this length of its line, in separations. Larger: the level of a line changes
+    // less often, and later.
     double level_length = 6.0;
-    // Consecutive marks stay connected if their distance, in steps, is between these two numbers.
+    // Two consecutive marks stay connected if their distance is between these two numbers, in steps.
     double least_step = 0.5;
     double most_step = 1.6;
-    // A piece of a line has at least this many marks.
+    // The smallest number of marks in a piece of a line.
     std::int64_t fewest_marks = 3;
     // The end of a line is extended to a crease that is at most this far ahead.
     double farthest_crease = 1.1;

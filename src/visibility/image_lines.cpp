@@ -26,7 +26,7 @@
 namespace hrbfnpr::visibility {
 namespace {
 
-// Whether m lies between the ends of a chord and no farther from it than the tolerance.
+// Returns whether m is between the ends of a chord, and at most the tolerance away from it.
 bool on_chord(const glm::dvec2& a, const glm::dvec2& m, const glm::dvec2& b, double tolerance) noexcept {
     const glm::dvec2 chord = b - a;
     const glm::dvec2 way = m - a;
@@ -37,8 +37,8 @@ bool on_chord(const glm::dvec2& a, const glm::dvec2& m, const glm::dvec2& b, dou
            std::abs(chord.x * way.y - chord.y * way.x) <= tolerance * length;
 }
 
-// Adds the first point of a cubic and the points between its ends. It tests both halves, because an S may cross its
-// chord in the middle.
+// Adds the first point of a cubic, and points between its ends. Both halves are tested, because an S-shaped cubic may
+// cross its chord in the middle.
 void draw_cubic(const curves::View& view, const curves::CubicPiece& cubic, std::int32_t piece, double tolerance,
                 base::Array<ImagePoint>& points) {
     const auto at = [&](double u) {
@@ -63,7 +63,7 @@ void draw_cubic(const curves::View& view, const curves::CubicPiece& cubic, std::
     split(split, 0.5, m, 1.0, b, visibility_tuning.most_halvings);
 }
 
-// Adds a line made of the pieces `from` to `to` of a curve. `to` may lie beyond the end of a closed curve.
+// Adds a line made of the pieces `from` to `to` of a curve. If the curve is closed, `to` may be beyond its end.
 void add_line(const curves::Curves& curves, std::int32_t subject, std::int64_t curve, std::int64_t from,
               std::int64_t to, bool closed, ImageLines& lines) {
     HRBFNPR_ASSERT(from < to && from >= 0);
@@ -75,7 +75,7 @@ void add_line(const curves::Curves& curves, std::int32_t subject, std::int64_t c
     }
 }
 
-// Adds the parts of a curve that lie before the eye. A curve of one point has no pieces and is left out.
+// Adds the parts of a curve that are before the eye. A curve of one point has no pieces and is left out.
 void add_curve(const Subject& s, std::int32_t subject, std::int64_t curve, ImageLines& lines) {
     const curves::Curves& curves = *s.curves;
     const std::int64_t pieces = curves.pieces_of(curve);
@@ -104,7 +104,7 @@ double cross2(const glm::dvec2& a, const glm::dvec2& b) noexcept { return a.x * 
 // A place on a curve in the image, and its velocity as the curve goes on.
 struct MovingPlace {
     glm::dvec3 point;
-    glm::dvec2 place, velocity; // pixels
+    glm::dvec2 place, velocity; // in pixels
 };
 
 // A place on a line.
@@ -117,12 +117,12 @@ struct SegmentPair {
     std::int64_t a, b;
 };
 
-// The segments of the image, sorted into the cells that their bounding boxes meet. A segment goes from a point to the
+// The segments of the image, sorted into the cells that their bounding boxes touch. A segment goes from a point to the
 // next one.
 struct Grid {
     explicit Grid(base::Memory& memory) noexcept : ends_line(memory), begin(memory), segment(memory) {}
 
-    // The cell that contains a place, which is given in cells from the origin.
+    // Returns the column of a place. `x` is measured in cells from the origin.
     [[nodiscard]] std::int64_t column(double x) const noexcept { return within(x, columns); }
     [[nodiscard]] std::int64_t row(double y) const noexcept { return within(y, rows); }
     [[nodiscard]] static std::int64_t within(double at, std::int64_t count) noexcept {
@@ -132,12 +132,12 @@ struct Grid {
     glm::dvec2 origin{0.0};
     double side = visibility_tuning.cell_side;
     std::int64_t columns = 1, rows = 1;
-    base::Array<std::uint8_t> ends_line; // 1: no segment begins at the point
-    base::Array<std::int64_t> begin;     // the first place of each cell in `segment`, and the end
+    base::Array<std::uint8_t> ends_line; // 1 for a point at which no segment begins
+    base::Array<std::int64_t> begin; // for each cell: where its list in `segment` begins; and the end of the last list
     base::Array<std::int64_t> segment;
 };
 
-// Calls f for each segment and each cell that the segment's box meets.
+// Calls f for each segment and each cell that its bounding box touches.
 template <class F>
 void for_cells(const ImageLines& lines, const Grid& grid, const F& f) {
     for (std::int64_t s = 0; s < lines.points.size(); ++s) {
@@ -167,8 +167,8 @@ Grid make_grid(base::Memory& memory, const ImageLines& lines) {
     grid.side = std::max(grid.side, std::sqrt(size.x * size.y / visibility_tuning.most_cells));
     grid.columns = static_cast<std::int64_t>(size.x / grid.side) + 1;
     grid.rows = static_cast<std::int64_t>(size.y / grid.side) + 1;
-    // Counting sort. An element of `begin` holds first the count of the cell two places before it, then the start of
-    // the cell one place before it, and at last the end of that cell.
+    // Counting sort. Each element of `begin` first holds the count of the cell two before it, then the start of the
+    // cell one before it, and in the end the end of that cell.
     grid.begin.resize(grid.columns * grid.rows + 2);
     for_cells(lines, grid, [&](std::int64_t, std::int64_t cell) { ++grid.begin[cell + 2]; });
     for (std::int64_t cell = 2; cell < grid.begin.size(); ++cell) grid.begin[cell] += grid.begin[cell - 1];
@@ -334,7 +334,7 @@ bool set_crossing(const CrossingInput& in, const LinePlace& a, const LinePlace& 
     const Subject& sb = in.subject(b.piece);
     const glm::dvec3 world_p(sa.to_world * glm::dvec4(p.point, 1.0));
     const glm::dvec3 world_q(sb.to_world * glm::dvec4(q.point, 1.0));
-    // The line of sight is the same for both curves.
+    // Both curves have the same line of sight at the crossing.
     const glm::dvec3 sight = glm::dmat3(sa.to_world) * sa.view.sight(p.point);
     const bool second_far = glm::dot(world_q - world_p, sight) > 0.0;
     const double side = sa.side * glm::length(sight) / glm::length(sa.view.sight(p.point));
@@ -343,7 +343,7 @@ bool set_crossing(const CrossingInput& in, const LinePlace& a, const LinePlace& 
     const LinePlace& far = second_far ? b : a;
     const LinePlace& near = second_far ? a : b;
     const Subject& near_one = second_far ? sa : sb;
-    // With y up, the nearer surface lies to the left of its contour.
+    // With y upward, the nearer surface is to the left of its contour.
     const bool to_left = second_far ? turn < 0.0 : turn > 0.0;
     const bool left = to_left != (near_one.mirrored != shows_inside(in.subjects, in.lines.pieces[near.piece]));
     crossing.far_piece = far.piece;
@@ -356,7 +356,7 @@ bool set_crossing(const CrossingInput& in, const LinePlace& a, const LinePlace& 
     return true;
 }
 
-// Fills `crossing` from the cubics, or from the segments if Newton's method fails. Returns false if the curves do not
+// Sets `crossing` from the cubics, or from the segments if Newton's method fails. Returns false if the curves do not
 // cross.
 bool solve_crossing(const CrossingInput& in, const SegmentPair& pair, Crossing& crossing) noexcept {
     const glm::dvec2 start = crossing_of(in, pair.a, pair.b);
@@ -372,7 +372,7 @@ bool solve_crossing(const CrossingInput& in, const SegmentPair& pair, Crossing& 
 
 // ---- Verification
 
-// A crossing whose curves are near each other in space, and a place on each of the curves, the farther one first.
+// A crossing whose curves are near each other in space, with a place on each curve, the farther curve first.
 struct Suspect {
     std::int64_t crossing;
     std::int32_t subject[2];
@@ -405,7 +405,8 @@ void correct_suspects(const base::Work& work, std::span<const Subject> subjects,
         base::Array<curves::CurvePoint> points(work.memory);
         for (const curves::CurvePoint* p : which) points.push_back(*p);
         std::int64_t evaluations = 0;
-        const base::Array<double> always(work.memory, points.size()); // makes each point take a second step
+        // With these limits, each point takes a second step.
+        const base::Array<double> always(work.memory, points.size());
         curves::bring_closer(work, *subjects[s].level, always, points, evaluations);
         for (std::int64_t i = 0; i < points.size(); ++i) *which[i] = points[i];
     }
@@ -436,18 +437,19 @@ void advance_suspect(std::span<const Subject> subjects, Suspect& suspect) noexce
 
 // ---- Piercing
 
-// A place on a piece, with f of the other surface, the slope of f along the piece, and the gradient of f.
+// A place on a piece, with three values of the other surface there: f, the slope of f along the piece, and the gradient
+// of f.
 struct PiercingPlace {
     double share;
     double value, slope;
-    glm::dvec3 point, gradient; // in the other item's coordinates
-    bool inside;                // whether the place is in the region where f is evaluated
+    glm::dvec3 point, gradient; // in the coordinates of the other item
+    bool inside;                // true if the place is in the region where f is evaluated
 };
 
 // A part of a piece between two places.
 struct PiercingPart {
     std::int32_t piece;
-    int depth; // halvings
+    int depth; // the number of halvings
     PiercingPlace low, high;
 };
 
@@ -497,8 +499,9 @@ base::Array<PiercingPlace> evaluate_places(const PiercingScene& in, const base::
     return places;
 }
 
-// Whether f may be 0 between two places where it has the same sign. It is not 0 if f, taken for a cubic, keeps its
-// sign. The result is also false if f stays within `in_surface` of 0, because then the line lies in the surface.
+// Returns whether f may be 0 between two places where it has the same sign. It is not 0 if the cubic through the values
+// and slopes keeps its sign. If f stays within `in_surface` of 0, the line lies in the surface, and the result is
+// false.
 bool may_pierce(const PiercingPlace& a, const PiercingPlace& b, double in_surface) noexcept {
     const double length = b.share - a.share;
     const double sign = a.value < 0.0 ? -1.0 : 1.0;
@@ -511,7 +514,7 @@ bool may_pierce(const PiercingPlace& a, const PiercingPlace& b, double in_surfac
     return !(near(a) && near(b));
 }
 
-// A cubic is never farther from its ends than half of its chord.
+// A cubic is at most half of its chord away from its ends.
 bool is_near_region(const PiercingPart& part, const geometry::Bounds& region) noexcept {
     geometry::Bounds box;
     box.extend(part.low.point);
@@ -594,7 +597,7 @@ ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> sub
     for (std::size_t s = 0; s < subjects.size(); ++s)
         for (std::int64_t c = 0; c < subjects[s].curves->count(); ++c)
             add_curve(subjects[s], static_cast<std::int32_t>(s), c, image);
-    base::List<base::Array<ImagePoint>> points(runtime.memory); // the points of each line's image
+    base::List<base::Array<ImagePoint>> points(runtime.memory); // for each line: the points of its image
     for (std::int64_t l = 0; l < image.lines.size(); ++l) points.add(runtime.memory);
     runtime.parallel.for_each(image.lines.size(), [&](std::int64_t l) {
         const Line& line = image.lines[l];
@@ -702,7 +705,7 @@ base::Array<Crossing> find_crossings(const base::Work& work, std::span<const Sub
         return std::tie(a.far_piece, a.far_share, a.near_piece, a.near_share) <
                std::tie(b.far_piece, b.far_share, b.near_piece, b.near_share);
     });
-    // Where curves touch, Newton's method moves several crossings of segments to the same place.
+    // Where curves touch, Newton's method may move several crossings of segments to the same place.
     const auto same = [](const Crossing& a, const Crossing& b) {
         return a.far_piece == b.far_piece && a.near_piece == b.near_piece &&
                b.far_share - a.far_share <= visibility_tuning.same_place &&

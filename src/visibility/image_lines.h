@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The image of curves: curves as polylines in the image, and the places where the number of sheets before a line may
-// change. Such places are the crossings of two curves in the image, where one is nearer, and the places where a line of
-// one item passes through the surface of another.
+// change. These are the crossings of two curves in the image, of which one is nearer, and the places where a line of
+// one item passes through the surface of another item.
 #pragma once
 
 #include "base/assert.h"
@@ -19,14 +19,15 @@ namespace hrbfnpr::visibility {
 struct Occluder {
     const curves::SheetCounter* sheet_counter = nullptr;
     const implicit::Implicit* surface = nullptr;
-    glm::dmat4 to_world{1.0}; // affine
-    glm::dvec4 eye{0.0};      // curves::View::eye, in the surface's own coordinates
+    glm::dmat4 to_world{1.0}; // an affine transform
+    glm::dvec4 eye{0.0};      // the eye in the coordinates of the surface, as in curves::View::eye
 };
 
-// Curves on one surface, whose visibility is asked for.
+// Curves on one surface. Their visibility is to be found.
 struct Subject {
     const curves::Curves* curves = nullptr;
-    const curves::Level* level = nullptr; // the function whose zero lines they are; null: polylines as they are
+    // The function whose zero lines the curves are; null: the curves are just polylines.
+    const curves::Level* level = nullptr;
     curves::View view;
     double side = 0.0; // the side of the cells of the surface's mesh, the subject's unit of length
     double clearance =
@@ -43,22 +44,22 @@ struct Subject {
 struct Piece {
     std::int32_t subject;
     std::int32_t line;
-    std::int64_t a, b; // points of the subject's curves
+    std::int64_t a, b; // the indices of two consecutive points in the subject's curves
 };
 
 struct ImagePoint {
-    glm::dvec2 place; // pixels, y down
+    glm::dvec2 place; // in pixels; y downward
     std::int32_t piece;
-    double share; // along the piece, in [0, 1]
+    double share; // the position on the piece, in [0, 1]
 };
 
-// A curve, or a part of a curve that lies before the eye.
+// A curve, or a part of a curve that is before the eye.
 struct Line {
     std::int32_t subject;
     std::int64_t curve;
     std::int64_t first_piece, pieces;
-    std::int64_t first_point, points; // the line's range in ImageLines::points
-    bool closed;                      // the first image point of the line is repeated as its last
+    std::int64_t first_point, points; // the range of the line's points in ImageLines::points
+    bool closed;                      // true if the line is closed; its last image point then repeats the first
 };
 
 struct ImageLines {
@@ -69,7 +70,7 @@ struct ImageLines {
     base::Array<ImagePoint> points;
 };
 
-// Makes polylines whose distance from the curves is `tolerance` pixels, or little more.
+// Makes polylines. Their distance from the curves is `tolerance` pixels, or only a little more.
 [[nodiscard]] ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> subjects, double tolerance);
 
 [[nodiscard]] inline const Subject& subject_of(std::span<const Subject> subjects, const Piece& piece) noexcept {
@@ -82,8 +83,8 @@ struct ImageLines {
     return {point[piece.a], point[piece.b]};
 }
 
-// Whether the inside of the surface is seen at a border. Seen from outside, the surface lies to the left of a border.
-// Seen from the eye, the surface always lies to the left of a contour.
+// Returns whether a border shows the inside of the surface. As seen from outside, the surface is to the left of a
+// border. As seen from the eye, it is always to the left of a contour.
 [[nodiscard]] bool shows_inside(std::span<const Subject> subjects, const Piece& piece) noexcept;
 
 // Measures lengths along the images of lines. `lines` must outlive it.
@@ -91,10 +92,10 @@ class LineLengths {
 public:
     LineLengths(base::Memory& memory, const ImageLines& lines);
 
-    // The length from the line's start to a place, in pixels. It is measured along the chord on which the share lies,
-    // because the image of a cubic is not traversed at constant speed, least of all at a cusp.
+    // Returns the length from the start of the line to a place, in pixels. It is measured along the polyline, because
+    // the position on the image of a cubic does not change at constant speed, least of all at a cusp.
     [[nodiscard]] double at(const Line& line, std::int64_t piece, double share) const noexcept;
-    // The length from the line's start to a point of the image, in pixels.
+    // Returns the length from the start of the line to a point of the image, in pixels.
     [[nodiscard]] double at_point(std::int64_t point) const noexcept { return length_[point]; }
     [[nodiscard]] double total(const Line& line) const noexcept { return length_[line.first_point + line.points - 1]; }
     // The last piece of the line that begins at `at` or before it.
@@ -102,25 +103,25 @@ public:
 
 private:
     const ImageLines& lines_;
-    base::Array<double> length_;      // the length of its line's image up to each image point, pixels
-    base::Array<std::int64_t> first_; // the first image point of each piece
+    base::Array<double> length_;      // for each image point: the length of its line up to there, in pixels
+    base::Array<std::int64_t> first_; // for each piece: its first image point
 };
 
 // ---- Where the number of sheets before a line may change
 
 struct Crossing {
     std::int32_t far_piece, near_piece;
-    double far_share, near_share; // along the pieces, in [0, 1]
-    std::int32_t change;          // how the number of sheets before the farther line changes as one goes along it
-    glm::dvec2 place;             // pixels
-    double gap;                   // the distance between the curves in space, in sides of one curve's mesh
-    double sine;                  // the sine of the angle between their images
+    double far_share, near_share; // positions on the pieces, in [0, 1]
+    std::int32_t change; // the change of the number of sheets before the farther line, in the direction of that line
+    glm::dvec2 place;    // in pixels
+    double gap;          // the distance between the curves in space, in sides of the mesh
+    double sine;         // the sine of the angle between the images of the curves
 };
 
 struct CrossingReport {
-    std::int64_t of_polylines = 0; // crossings of segments
-    std::int64_t rejected = 0;     // crossings of segments that are not crossings of the curves
-    std::int64_t tangles = 0;      // cells of the image whose crossings are ignored, because there are too many
+    std::int64_t of_polylines = 0; // the number of crossings of segments
+    std::int64_t rejected = 0;     // the number of crossings of segments that are no crossings of curves
+    std::int64_t tangles = 0;      // the number of cells whose crossings are ignored, because there are too many
 };
 
 // Finds the crossings of all lines with the lines that begin or end sheets (Subject::sheet_change > 0). Sorted by
@@ -128,8 +129,8 @@ struct CrossingReport {
 [[nodiscard]] base::Array<Crossing> find_crossings(const base::Work& work, std::span<const Subject> subjects,
                                                    const ImageLines& lines, CrossingReport& report);
 
-// Removes crossings that the curves do not have. It tests only crossings of curves that are near each other in space.
-// Beside a cusp the cubics may cross where the curve does not. Returns the number of removed crossings.
+// Removes crossings that the curves do not have: beside a cusp, cubics may cross where the curve does not. Only
+// crossings of curves that are near each other in space are tested. Returns the number of crossings removed.
 std::int64_t verify_crossings(const base::Work& work, std::span<const Subject> subjects, const ImageLines& lines,
                               base::Array<Crossing>& crossings);
 

@@ -32,7 +32,7 @@ struct CountingInput {
     [[nodiscard]] const Line& line(std::int64_t l) const noexcept { return lines.lines[l]; }
 };
 
-// A ray to a place on a line, from the eye or from beyond the surface.
+// A ray to a place on a line. It comes from the eye, or from beyond the surface.
 struct Ray {
     std::int32_t line, subject;
     double at;        // along the line, pixels
@@ -53,7 +53,7 @@ std::span<const Ray> rays_of(const base::Array<Ray>& rays, std::int32_t line) no
     return {first, end};
 }
 
-// Calls f for the parts of each line.
+// Calls f for each range of parts that belong to the same line.
 template <class F>
 void for_lines(std::span<Interval> parts, const F& f) {
     for (std::size_t first = 0; first < parts.size();) {
@@ -71,7 +71,7 @@ Ray best_ray(const CountingInput& in, const Interval& part) noexcept {
     const base::Array<curves::CurvePoint>& point = in.subjects[static_cast<std::size_t>(its.subject)].curves->point;
     const double whole = in.lengths.total(its);
     Ray best{part.line, its.subject, 0.0, -1.0, glm::dvec3(0.0), 0, -1, 0.0, true};
-    // The length of the rounds of a closed line before piece p.
+    // The length of the complete turns of a closed line before piece p.
     double beyond = its.closed && part.begin_at >= whole ? whole : 0.0;
     const std::int64_t begin = in.lengths.piece_at(its, part.begin_at - beyond);
     const double from = in.lengths.at(its, begin, 0.0) + beyond;
@@ -295,7 +295,7 @@ void refine_curves(const CountingInput& in, std::span<const std::int32_t> bad, d
                 .span()
                 .subspan(static_cast<std::size_t>(first[s]), static_cast<std::size_t>(first[s + 1] - first[s]));
         const bool is_any = std::any_of(marked.begin(), marked.end(), [](std::uint8_t m) { return m != 0; });
-        if (subject.level == nullptr || !is_any) continue; // polylines cannot be made finer
+        if (subject.level == nullptr || !is_any) continue; // Polylines without a function cannot be made finer.
         std::int64_t evaluations = 0;
         auto& made = out.finer.add(std::make_unique<curves::Curves>(curves::finer_curves(
             in.work, *subject.level, subject.view, *subject.curves, marked, tolerance, evaluations)));
@@ -303,16 +303,17 @@ void refine_curves(const CountingInput& in, std::span<const std::int32_t> bad, d
     }
 }
 
-// A group of cusps. `begin` and `end` are places along the line, in pixels; `end` may lie beyond the end of a closed
-// line.
+// A group of cusps. `begin` and `end` are positions along the line, in pixels. On a closed line, `end` may be beyond
+// the end of the line.
 struct CuspGroup {
     double begin, end;
-    double before, after; // the distances to the previous and the next cusp of the line
+    double before, after; // the distances from the group to the cusp before it and to the cusp after it
     bool odd;
-    std::size_t last; // the number of the last cusp in the events
+    std::size_t last; // the index of the last cusp in the events
 };
 
-// Finds the groups of two or more cusps. On a closed line the search starts at a gap, so that no group is cut in two.
+// Finds the groups of two or more cusps. On a closed line, the search begins at a gap between groups, so that it
+// divides no group.
 base::Array<CuspGroup> find_groups(base::Memory& memory, std::span<const Event> events, bool closed, double whole,
                                    double size) {
     base::Array<std::size_t> cusps(memory);
@@ -336,7 +337,7 @@ base::Array<CuspGroup> find_groups(base::Memory& memory, std::span<const Event> 
 // A place where another line crosses, and how the number of sheets beside the line changes there.
 struct ChangeBeside {
     std::int32_t line;
-    double at; // pixels along it
+    double at; // position along the line, in pixels
     std::int32_t change;
 };
 
@@ -424,7 +425,8 @@ Events collect_events(base::Memory& memory, std::span<const Subject> subjects, c
             add_piercing(2.0);
         }
     }
-    HRBFNPR_ASSERT(c == crossings.size() && next == pierced.size()); // false where they are not sorted
+    // The assertion fails if crossings or piercings are not sorted.
+    HRBFNPR_ASSERT(c == crossings.size() && next == pierced.size());
     events.first.push_back(events.event.size());
     return events;
 }
@@ -441,13 +443,13 @@ base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& l
         const double high = group.end + 1e-9 * size;
         return e.near_piece < 0 && ((e.at >= low && e.at <= high) || (line.closed && e.at + whole <= high));
     };
-    // The distance from the group's start along the line, by the shorter way around a closed one.
+    // Returns the distance along the line from the start of a group, the shorter way round on a closed line.
     const auto from_begin = [&](const CuspGroup& group, double at) {
         const double way = at - group.begin;
         return line.closed ? way - whole * std::round(way / whole) : way;
     };
-    // Whether the branches before a group cross the branches after the group or within it. The loop of such a crossing
-    // has cusps of this group only.
+    // Returns whether an event is a crossing of the branches before a group with those after it or inside it. The loop
+    // of such a crossing has only cusps of this group.
     const auto is_crossing_of = [&](const CuspGroup& group, const Event& e) {
         if (e.near_piece < line.first_piece || e.near_piece >= line.first_piece + line.pieces) return false;
         const double far = from_begin(group, e.at);
@@ -460,7 +462,8 @@ base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& l
                last < length + std::min(group.after, branch);
     };
     base::Array<CuspGroup> groups = find_groups(memory, events, line.closed, whole, size);
-    // The changes of a whole group must equal the change of a smooth contour, which is 0, or of one cusp.
+    // Returns whether the changes of a group are consistent: their sum must be 0, as on a smooth contour, or the change
+    // of one cusp.
     const auto adds_up = [&](const CuspGroup& group) {
         std::int32_t change = group.odd ? -events[group.last].change : 0;
         for (const Event& e : events)

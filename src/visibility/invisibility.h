@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How many sheets of surface lie before each part of each line: its quantitative invisibility.
-// [Appel 1967; Benard & Hertzmann 2019, 4]
+// Finds how many sheets of surface are before each part of each line: its quantitative invisibility. [Appel 1967;
+// Benard & Hertzmann 2019, 4]
 #pragma once
 
 #include "base/list.h"
@@ -11,7 +11,7 @@
 
 namespace hrbfnpr::visibility {
 
-// The value of Event::near_piece where the line passes through a surface. No piece has this number.
+// The value of Event::near_piece at a place where the line passes through a surface. It is no valid index of a piece.
 inline constexpr std::int32_t no_line = std::numeric_limits<std::int32_t>::max();
 
 // A place where the number of sheets before a line changes.
@@ -19,14 +19,14 @@ struct Event {
     std::int32_t piece;
     double share;
     std::int32_t change;
-    // The piece that crosses in front of the line; -1: a cusp; no_line: the line passes through a surface.
+    // The piece that crosses in front of the line. -1: the event is a cusp. no_line: the line passes through a surface.
     std::int32_t near_piece;
-    double at;               // along the event's line, pixels
-    float sine = 0.0F;       // the sine of the angle between the images of both lines; 0 where no line crosses
-    double near_share = 0.5; // along the nearer piece
+    double at;               // position along the line, in pixels
+    float sine = 0.0F;       // the sine of the angle between the images of the two lines; 0 if no line crosses
+    double near_share = 0.5; // the position on the nearer piece
 };
 
-// The events of all lines, line by line, and in order along each line.
+// The events of all lines, line by line, in order along each line.
 struct Events {
     explicit Events(base::Memory& memory) noexcept : first(memory), event(memory) {}
 
@@ -35,7 +35,7 @@ struct Events {
                                     static_cast<std::size_t>(first[line + 1] - first[line]));
     }
 
-    base::Array<std::int64_t> first; // the first event of each line, then the number of events
+    base::Array<std::int64_t> first; // for each line: the index of its first event; at the end, the number of events
     base::Array<Event> event;
     std::int64_t cusps = 0;
 };
@@ -45,14 +45,14 @@ struct Events {
                                     const base::Array<Crossing>& crossings, std::span<const Piercing> pierced,
                                     const LineLengths& lengths);
 
-// Returns the events of a line without torn groups of cusps. A group is cusps at most `size` pixels apart, and it is
-// torn if its changes do not add up, because a crossing of its branches was missed or doubled. A torn group loses its
-// crossings and its cusps, but keeps one cusp if their number is odd.
+// Returns the events of a line without torn groups of cusps. The cusps of a group are at most `size` pixels apart. A
+// group is torn if its changes do not add up, because a crossing of its branches was missed or found twice. From a torn
+// group, all crossings and cusps are removed, except one cusp if their number is odd.
 [[nodiscard]] base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& line,
                                                            const LineLengths& lengths, double size,
                                                            std::span<const Event> events);
 
-// A part of a line between two events, or all of it.
+// A part of a line between two events, or a whole line.
 struct Interval {
     std::int32_t line;
     std::int32_t begin_piece, end_piece;
@@ -61,68 +61,70 @@ struct Interval {
                                // line's end
     std::int32_t invisibility; // the number of sheets before it
     bool begins_at_cusp, ends_at_cusp;
-    float begin_sine, end_sine; // the sine of the angle to the nearer line that crosses there; 0: no line does
-    // The occluder of the nearest surface before the part; find_hidden_by() sets it. -1: none.
+    // The sine of the angle to the nearer line that crosses at this end of the interval; 0 if no line crosses.
+    float begin_sine, end_sine;
+    // The occluder whose surface is nearest before the part, or -1. find_hidden_by() sets it.
     std::int32_t hidden_by = -1;
 };
 
 struct InvisibilityReport {
     CrossingReport crossings;
     std::int64_t lines = 0, closed = 0, cusps = 0, rays = 0;
-    std::int64_t rounds = 0;  // rounds in which the curves were made finer
-    std::int64_t refined = 0; // lines that contradicted themselves at first
-    // Lines that contradict themselves at the end: each of their parts gets the number that a ray to the part finds.
+    std::int64_t rounds = 0;  // the number of rounds in which curves were made finer
+    std::int64_t refined = 0; // the number of lines whose counts were contradictory at first
+    // The number of lines whose counts are contradictory in the end. A ray to each of their parts gives its number.
     std::int64_t settled = 0;
-    std::int64_t contradictions = 0; // settled lines with a part whose ray is not certain
+    std::int64_t contradictions = 0; // the number of settled lines that have a part with an uncertain ray
 };
 
 struct InvisibilitySettings {
-    double tolerance = 0.05; // the largest distance of the first round's image from the curves, pixels
-    int rounds = 3;          // the image is made at most this often, each time ten times finer
-    int probes = 3;          // rays for each line
+    double tolerance = 0.05; // the largest distance between the image and the curves in the first round, in pixels
+    int rounds = 3;          // the largest number of rounds; each round is ten times finer
+    int probes = 3;          // the number of rays for each line
 };
 
 struct Invisibility {
     explicit Invisibility(base::Memory& memory) noexcept
         : subjects(memory), finer(memory), lines(memory), intervals(memory), crossings(memory), piercings(memory) {}
 
-    base::Array<Subject> subjects;                     // as given, except for curves that had to be made finer
-    base::List<std::unique_ptr<curves::Curves>> finer; // the finer curves; a subject refers to its last ones
+    base::Array<Subject> subjects;                     // the given subjects, except that some curves were made finer
+    base::List<std::unique_ptr<curves::Curves>> finer; // the finer curves; a subject refers to its finest ones
     ImageLines lines;
-    base::Array<Interval> intervals; // line by line, along it
+    base::Array<Interval> intervals; // the intervals of all lines, line by line and in order along each line
     base::Array<Crossing> crossings;
     base::Array<Piercing> piercings;
     InvisibilityReport report;
 };
 
-// Counts the sheets before all lines. Gives the same bits for any number of threads, as do the functions below.
+// Counts the sheets before all lines. The result has the same bits for any number of threads. This is true of the
+// functions below, too.
 [[nodiscard]] Invisibility find_invisibility(const base::Work& work, std::span<const Subject> subjects,
                                              std::span<const Occluder> occluders, const InvisibilitySettings& settings);
 
-// Sets Interval::hidden_by. Each hidden part gets a ray, unless there is only one occluder.
+// Sets Interval::hidden_by. If there are several occluders, it casts a ray to each hidden part.
 void find_hidden_by(const base::Work& work, std::span<const Subject> subjects, std::span<const Occluder> occluders,
                     Invisibility& found);
 
-// A part of a line from one place along it to another, pixels.
+// A part of a line between two positions along it, in pixels.
 struct OutlinePart {
     std::int32_t line;
-    double begin_at, end_at; // a part that goes round a closed line may end beyond the line's end
+    double begin_at, end_at; // On a closed line, a part may end beyond the end of the line.
 };
 
 struct Outline {
     explicit Outline(base::Memory& memory) noexcept : parts(memory) {}
 
-    // Line by line, along each line; the parts of a closed line start where its intervals do.
+    // The parts, line by line and in order along each line. On a closed line they start where its intervals start.
     base::Array<OutlinePart> parts;
     std::int64_t rays = 0;
-    // Lines whose counts contradict themselves: each of their parts gets the number that a ray to the part finds.
+    // The number of lines whose counts are contradictory. A ray to each of their parts gives its number.
     std::int64_t settled = 0;
 };
 
-// Finds the parts of contours and borders that are the outline of the drawing, its silhouette in the strict sense: the
-// image has nothing beside them on the side where their surface ends. The number of sheets beside a line changes only
-// where it crosses another line that begins or ends sheets, whichever of the two is nearer; it does not change at the
-// line's own cusps. [Benard & Hertzmann 2019, 4] `wanted` is 1 for subjects whose lines are asked for.
+// Finds the parts of contours and borders that are the outline of the drawing, its silhouette in the strict sense: on
+// the side where their surface ends, only background is beside them in the image. The number of sheets beside a line
+// changes only where it crosses another line that begins or ends sheets, whichever of the two is nearer; it does not
+// change at the line's own cusps. [Benard & Hertzmann 2019, 4] `wanted` is 1 for each subject to examine.
 [[nodiscard]] Outline find_outline(const base::Work& work, std::span<const Subject> subjects,
                                    std::span<const Occluder> occluders, const Invisibility& found,
                                    const LineLengths& lengths, std::span<const std::uint8_t> wanted);

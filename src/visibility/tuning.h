@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of the visibility of lines. `scripts/bench lines --only=truth,views,flicker` measures their
+// The tuning constants for the visibility of lines. `scripts/bench lines --only=truth,views,flicker` measures their
 // effects.
 #pragma once
 
@@ -31,7 +31,7 @@ struct VisibilityTuning {
     double cell_side = 4.0;
     // The grid has at most this many cells. Larger: more memory for large images.
     double most_cells = 1.0e6;
-    // Segments farther than this outside the image go into the outermost cells of the grid, in pixels.
+    // Segments farther outside the image than this, in pixels, are put into the outermost cells of the grid.
     double grid_end = 1.0e4;
     // A cell with more than this many crossings per segment is a tangle, and its crossings are ignored. In a tangle
     // lines run to and fro over one another within a pixel, as contours do on a flat face that is seen edge-on.
@@ -49,7 +49,7 @@ struct VisibilityTuning {
     // Curves that are nearer than this to each other at a crossing are the same curve, in sides of the mesh. Larger:
     // crossings of surfaces that nearly touch are lost.
     double least_gap = 1e-5;
-    // The value of `least_gap` for a line that crosses itself, since it turns back at a cusp. Larger: small loops are
+    // The same distance for a line that crosses itself, because a line turns back at a cusp. Larger: small loops are
     // lost.
     double least_loop = 0.02;
     // `least_gap` for a border or another line and the contours of its own surface, since their images touch.
@@ -57,8 +57,7 @@ struct VisibilityTuning {
 
     // ---- Verification of crossings
 
-    // Crossings are verified where the curves are nearer to each other than this, in sides of the mesh. Larger: more
-    // time.
+    // A crossing is verified if the distance of its curves is below this, in mesh sides. Larger: more time.
     double suspicious_gap = 0.5;
     // The search for a crossing on the curves ends after this many rounds, or when a step is shorter than
     // `settled_step`, in gaps between the curves.
