@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one exception barrier: every exported function that can fail runs inside guarded().
+// The only exception barrier: every exported function that can fail runs inside guarded().
 #pragma once
 
 #include "base/fp_state.h"
@@ -9,11 +9,11 @@
 
 namespace hrbfnpr::api {
 
-// Call this inside a catch block. It turns the exception into a status, and into a message if the caller's struct has
-// room. It never throws.
+// Converts an exception into a status, and into a message if the caller's struct has room. Must be called inside a
+// catch block. Never throws.
 hrbfnpr_status report_exception(hrbfnpr_error* error) noexcept;
 
-// Runs body() in the default floating-point state.
+// Calls body() in the default floating-point state, and converts exceptions into a status.
 template <class F>
 hrbfnpr_status guarded(hrbfnpr_error* error, F&& body) noexcept {
     const base::FpGuard guard;
@@ -36,7 +36,7 @@ template <class T>
     return *pointer;
 }
 
-// For functions that make a handle: *out is NULL unless make() returns one.
+// The same for functions that make a handle: *out is NULL unless make() returns a handle.
 template <class T, class F>
 hrbfnpr_status guarded_create(T** out, const char* name, hrbfnpr_error* error, F&& make) noexcept {
     if (out != nullptr) *out = nullptr;

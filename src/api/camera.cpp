@@ -39,7 +39,7 @@ glm::dvec3 vector(const double* components, const char* name) {
     return {components[0], components[1], components[2]};
 }
 
-// Calls body(full) on a copy of the camera, so that a failure changes nothing.
+// Calls body(full) with a copy of the camera, so that a failure does not change the camera.
 template <class F>
 hrbfnpr_status change_camera(hrbfnpr_camera* camera, hrbfnpr_error* error, F&& body) noexcept {
     return guarded(error, [&] {

@@ -12,7 +12,7 @@ namespace hrbfnpr::api {
 template <>
 hrbfnpr_camera defaults() noexcept;
 
-// read_struct() must have read the struct. The frame checks its numbers.
+// The struct must have been read by read_struct(). The frame checks its numbers.
 [[nodiscard]] frame::Camera to_camera(const hrbfnpr_camera& camera);
 
 [[nodiscard]] inline glm::dmat4 to_matrix(const double* column_major) noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks of a struct's fields, with messages such as
+// Checks the fields of a struct, with messages such as
 //   fit_desc.regularization is -1; it must be a finite number of at least 0
 #pragma once
 
@@ -13,7 +13,7 @@ namespace hrbfnpr::api {
 
 class Checks {
 public:
-    // `owner` is the name of the fields' struct, such as "fit_desc". It must outlive this object.
+    // `owner` is the name of the struct, such as "fit_desc". It must outlive this object.
     explicit Checks(const char* owner) noexcept : owner_(owner) {}
 
     void finite(const char* field, double value) const {
@@ -36,13 +36,13 @@ public:
             fail(Status::invalid_argument, "%s.%s is %g; it must be above %g and below %g", owner_, field, value, low,
                  high);
     }
-    // The value must be an enumerator 0 .. count - 1.
+    // Checks that the value is one of the enumerators 0 to count - 1.
     void one_of(const char* field, std::int64_t value, std::uint32_t count, const char* names) const {
         if (value < 0 || value >= static_cast<std::int64_t>(count))
             fail(Status::invalid_argument, "%s.%s is %lld; it must be one of %s (0 to %u)", owner_, field,
                  static_cast<long long>(value), names, count - 1);
     }
-    // The value must have no other bits than the known flags.
+    // Checks that the value has only bits of known flags.
     void flags(const char* field, std::uint32_t value, std::uint32_t known) const {
         if ((value & ~known) != 0)
             fail(Status::invalid_argument, "%s.%s is 0x%X; only the bits of 0x%X may be set", owner_, field, value,

@@ -111,7 +111,8 @@ void check(const hrbfnpr_context_desc& desc) {
 
 void release_context(const hrbfnpr_context* context) noexcept {
     if (context == nullptr || !context->remove_reference()) return;
-    // A context's own Memory is destroyed first and does not count the context itself, so a temporary Memory frees it.
+    // The memory of the context itself is freed by a temporary Memory. The context's own Memory is destroyed before,
+    // and does not count it.
     base::Memory memory(context->allocate, context->deallocate, context->allocator_user);
     context->~hrbfnpr_context();
     memory.deallocate(const_cast<hrbfnpr_context*>(context), sizeof(hrbfnpr_context));

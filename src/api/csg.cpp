@@ -22,7 +22,7 @@ using implicit::CsgNode;
 using Node = hrbfnpr_csg_node;
 using Desc = hrbfnpr_csg_desc;
 
-// Most numbers are checked later, for the kinds that use them.
+// The other numbers are checked later, for those kinds of nodes that use them.
 constexpr auto node_fields() noexcept {
     return FieldTable{field("kind", &Node::kind, &CsgNode::kind, rule::OneOf{HRBFNPR_CSG_TORUS, "HRBFNPR_CSG_*"}),
                       field("parent", &Node::parent, &CsgNode::parent, rule::Any{}),
@@ -70,7 +70,7 @@ hrbfnpr_csg_info defaults() noexcept {
 
 namespace {
 
-constexpr double smallest_box = 1e-100; // smallest diagonal, as for custom models
+constexpr double smallest_box = 1e-100; // the smallest diagonal of a box, as for custom models
 
 void set_transform(const char* name, const Node& given, CsgNode& node) {
     const double(&m)[16] = given.transform;
@@ -91,7 +91,7 @@ CsgNode checked(const Node& given, const char* name) {
     return node;
 }
 
-// Adds the nodes to the solid in their order. If a leaf's model is a tree, the tree takes the leaf's place.
+// Adds the nodes to the solid, in order. If the model of a leaf is a tree, the tree replaces the leaf.
 class Reader {
 public:
     Reader(CsgSolid& solid, const base::Runtime& runtime, const Desc& desc)
@@ -132,7 +132,7 @@ private:
 
     CsgSolid& solid_;
     List<Node> list_;
-    base::Array<std::int64_t> number_; // each node's index in the solid
+    base::Array<std::int64_t> number_; // for each node: its index in the solid
     implicit::CsgTree given_;
 };
 
@@ -157,7 +157,7 @@ geometry::Bounds given_bounds(const Desc& desc) {
     return bounds;
 }
 
-// Returns the box that the models are drawn in, enlarged so that the search box, which adds a margin, holds the whole
+// Returns the box of the model. It is enlarged, so that the search box, which adds a margin, contains the whole
 // surface.
 geometry::Bounds found_bounds(const implicit::CsgPlan& plan) {
     const implicit::CsgBox whole = plan.whole;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks that nodes, of a caller or of a file, form a tree.
+// Checks that the nodes from a caller or a file form a tree.
 #include "api/checks.h"
 #include "api/csg_solid.h"
 #include "api/lists.h"
@@ -10,7 +10,7 @@ namespace {
 using implicit::CsgKind;
 using implicit::CsgNode;
 
-constexpr double most_stretch = 1e4; // largest stretch of a transform, as a multiple of its least
+constexpr double most_stretch = 1e4; // The largest stretch of a transform, as a multiple of its least stretch.
 
 void check_transform(const char* name, const CsgNode& node) {
     const implicit::StretchFactors stretch = implicit::stretch_factors(node.linear);

@@ -30,10 +30,10 @@ public:
     // the place of a leaf.  Both return the index of the first new node.
     std::int64_t add(const CsgSolid& of, const implicit::CsgNode& in_place_of);
     std::int64_t add(const implicit::CsgNode& node);
-    // Returns the number for CsgNode::model, and keeps the model. A model has only one number.
+    // Returns the number of a model for CsgNode::model, and keeps the model. The same model always has the same number.
     [[nodiscard]] std::int64_t leaf(const hrbfnpr_model& model);
 
-    // Makes a function of the nodes, after all of them were added.
+    // Makes the function. Call it after all nodes have been added.
     void plan();
     [[nodiscard]] const implicit::CsgPlan& planned() const noexcept { return *plan_; }
     void finish(const geometry::Bounds& bounds);
@@ -55,10 +55,10 @@ private:
     std::unique_ptr<implicit::CsgPlan> plan_;
     std::unique_ptr<implicit::Csg> function_;
     mutable std::mutex preparing_;
-    mutable std::vector<std::unique_ptr<implicit::Csg>> prepared_; // functions with some leaves prepared
+    mutable std::vector<std::unique_ptr<implicit::Csg>> prepared_; // functions in which some leaves are prepared
 };
 
-// If `bounds` is null, takes the tree's bounds, and throws if it has none.
+// If `bounds` is null, uses the bounds of the tree. Throws if the tree has no bounds.
 [[nodiscard]] hrbfnpr_model* make_csg_model(hrbfnpr_context& context, std::unique_ptr<CsgSolid> solid,
                                             const geometry::Bounds* bounds);
 

@@ -20,7 +20,7 @@
 namespace hrbfnpr::api {
 
 inline constexpr std::uint32_t smallest_struct = 8;
-inline constexpr std::uint32_t largest_struct = 65536; // a larger size shows that the struct was not initialised
+inline constexpr std::uint32_t largest_struct = 65536; // A larger size shows that the struct is not initialised.
 
 // Returns a struct's defaults; struct_size need not be set.  The specialisation stands beside the `_init` function.
 template <class T>
@@ -33,7 +33,7 @@ void check_struct_size(std::uint32_t size, const char* name) {
         fail(Status::unsupported_struct, "%s.struct_size is %u; set up the struct with its _init function", name, size);
 }
 
-// Implements a struct's `_init` function.
+// Implements the `_init` function of a struct.
 template <class T>
 hrbfnpr_status init_struct(T* given, std::uint32_t size) noexcept {
     if (given == nullptr) return HRBFNPR_STATUS_INVALID_ARGUMENT;
@@ -46,7 +46,7 @@ hrbfnpr_status init_struct(T* given, std::uint32_t size) noexcept {
     return HRBFNPR_STATUS_OK;
 }
 
-// Returns the caller's struct in full: missing fields have their defaults.
+// Returns the caller's struct in full. Missing fields have their defaults.
 template <class T>
 [[nodiscard]] T read_struct(const T* given, const char* name) {
     if (given == nullptr) fail(Status::invalid_argument, "%s is NULL", name);
@@ -65,20 +65,20 @@ template <class T>
     return full;
 }
 
-// Reads a struct that may be NULL, in which case all fields have their defaults.
+// Reads a struct. If it is NULL, all fields have their defaults.
 template <class T>
 [[nodiscard]] T read_optional_struct(const T* given, const char* name) {
     return given != nullptr ? read_struct(given, name) : defaults<T>();
 }
 
-// Checks that `out` can take a result. Call it before any work.
+// Checks that `out` can receive a result. Call it before the work.
 template <class T>
 void check_output_struct(const T* out, const char* name) {
     if (out == nullptr) fail(Status::invalid_argument, "%s is NULL", name);
     check_struct_size<T>(out->struct_size, name);
 }
 
-// Fills the caller's struct up to its struct_size.
+// Writes a result to the caller's struct, up to the caller's struct_size.
 template <class T>
 void write_struct(T* out, const T& full) noexcept {
     const std::uint32_t size = out->struct_size;
@@ -88,7 +88,7 @@ void write_struct(T* out, const T& full) noexcept {
     out->struct_size = size;
 }
 
-// Sets one number of a result struct that read_struct() has read, if the struct has room for it.
+// Writes one number of a result struct that was read by read_struct(), if the struct has room for it.
 template <class T, class Number>
 void write_number(T* out, Number T::*member, Number number) noexcept {
     auto* const to = reinterpret_cast<std::byte*>(&(out->*member));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A drawing as a handle, and the point sets that it reads.
+// The handle of a drawing. It keeps the point sets that the drawing refers to.
 #pragma once
 
 #include "api/handles.h"
@@ -17,5 +17,5 @@ struct hrbfnpr_drawing : hrbfnpr::api::Child {
     }
 
     hrbfnpr::drawing::Drawing drawing;
-    hrbfnpr::base::Array<const hrbfnpr_point_set*> sets; // a reference to each
+    hrbfnpr::base::Array<const hrbfnpr_point_set*> sets; // The point sets. The drawing holds a reference to each.
 };

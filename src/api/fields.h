@@ -23,10 +23,10 @@
 
 namespace hrbfnpr::api {
 
-// The values that a field may have.  A rule is called with the checks, the field's name, and its value.
+// Rules for the values of a field.  A rule is called with the checks, the field's name, and its value.
 namespace rule {
 
-struct Any { // any value, or a value that is checked together with other fields
+struct Any { // any value; also for values that are checked together with other fields
     template <class T>
     void operator()(const Checks& /*checks*/, const char* /*field*/, const T& /*value*/) const noexcept {}
 };
@@ -64,7 +64,7 @@ struct PositiveUpTo {
     }
 };
 
-struct Between { // both ends are allowed
+struct Between { // numbers between two ends, which are allowed, too
     double low, high;
     template <class T>
     void operator()(const Checks& checks, const char* field, T value) const {
@@ -80,7 +80,7 @@ struct StrictlyBetween { // neither end is allowed
     }
 };
 
-struct OneOf { // an enumeration 0 .. last
+struct OneOf { // the enumerators 0 to last
     std::uint32_t last;
     const char* names;
     void operator()(const Checks& checks, const char* field, std::int64_t value) const {
@@ -151,7 +151,7 @@ constexpr void assign_field(To& to, const From& from) noexcept {
     }
 }
 
-// A field that a room keeps.
+// A field whose value is stored in the settings of a room.
 template <class Struct, class Value, class Settings, class Kept, class Rule>
 struct KeptField {
     static constexpr std::size_t bytes = sizeof(Value);
@@ -167,7 +167,7 @@ struct KeptField {
     void copy(const Struct& from, Settings& to) const noexcept { assign_field(to.*kept, from.*member); }
 };
 
-// A field that is only checked here, or that is copied by hand. Its default is 0.
+// A field that is only checked, or that other code copies. Its default is 0.
 template <class Struct, class Value, class Rule>
 struct CheckedField {
     // NOLINTNEXTLINE(bugprone-sizeof-expression): the field may be a pointer
@@ -203,11 +203,12 @@ template <class Struct>
 template <class... Fields>
 class FieldTable {
 public:
-    static constexpr std::size_t bytes = (Fields::bytes + ... + 0); // the sum over all fields
+    static constexpr std::size_t bytes = (Fields::bytes + ... + 0); // the total size of all fields
 
     constexpr explicit FieldTable(Fields... fields) noexcept : fields_(fields...) {}
 
-    // Checks that no field of the struct was forgotten: where pointers have 8 bytes, public structs have no gaps.
+    // Checks that the table has all fields of the struct. Where pointers have 8 bytes, public structs have no gaps, so
+    // the sizes must add up.
     template <class Struct>
     [[nodiscard]] constexpr bool covers() const noexcept {
         std::size_t size = bytes;
@@ -215,20 +216,20 @@ public:
         return size == sizeof(Struct) || sizeof(void*) != 8;
     }
 
-    // Sets the struct's fields to the values of the settings.
+    // Sets the fields of the struct from the settings.
     template <class Settings, class Struct>
     constexpr void set_defaults(const Settings& from, Struct& to) const noexcept {
         std::apply([&](const auto&... row) { (row.set_default(from, to), ...); }, fields_);
     }
 
-    // `owner` is the name of the struct, as in Checks.
+    // `owner` is the name of the struct, as in the class Checks.
     template <class Struct>
     void check(const char* owner, const Struct& given) const {
         const Checks checks(owner);
         std::apply([&](const auto&... row) { (row.check(checks, given), ...); }, fields_);
     }
 
-    // Call check() before this.
+    // Copies the fields into the settings. check() must be called first.
     template <class Struct, class Settings>
     void copy(const Struct& from, Settings& to) const noexcept {
         std::apply([&](const auto&... row) { (row.copy(from, to), ...); }, fields_);

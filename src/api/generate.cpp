@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes point sets by generation on a model.
+// Makes point sets by generating marks on a model.
 #include "generate/generate.h"
 
 #include "api/barrier.h"

@@ -24,12 +24,12 @@ public:
     Counted& operator=(const Counted&) = delete;
 
     void add_reference() const noexcept { references_.fetch_add(1, std::memory_order_relaxed); }
-    // Returns true if it was the last reference.
+    // Returns true if this was the last reference.
     [[nodiscard]] bool remove_reference() const noexcept {
         return references_.fetch_sub(1, std::memory_order_acq_rel) == 1;
     }
 
-    // No other thread can add a reference meanwhile: the caller holds the only one.
+    // If the caller holds the only reference, no other thread can add one at the same time.
     [[nodiscard]] bool has_one_reference() const noexcept { return references_.load(std::memory_order_acquire) == 1; }
 
 protected:
@@ -53,7 +53,7 @@ struct hrbfnpr_context : hrbfnpr::api::Counted {
     explicit hrbfnpr_context(const hrbfnpr_context_desc& desc);
     ~hrbfnpr_context() = default;
 
-    hrbfnpr::base::AllocateFn allocate; // the allocator of the context itself; NULL = default
+    hrbfnpr::base::AllocateFn allocate; // the allocator for the context itself; NULL: the default allocator
     hrbfnpr::base::DeallocateFn deallocate;
     void* allocator_user;
     hrbfnpr::base::Runtime runtime;
@@ -62,7 +62,7 @@ struct hrbfnpr_context : hrbfnpr::api::Counted {
 
 namespace hrbfnpr::api {
 
-void release_context(const hrbfnpr_context* context) noexcept; // ignores NULL
+void release_context(const hrbfnpr_context* context) noexcept; // NULL is ignored.
 
 class Child : public Counted {
 public:
@@ -76,7 +76,7 @@ private:
     hrbfnpr_context* context_;
 };
 
-// Makes a T with one reference.
+// Makes an object of type T with one reference.
 template <class T, class... Arguments>
 [[nodiscard]] T* make_handle(hrbfnpr_context& context, Arguments&&... arguments) {
     base::Memory& memory = context.runtime.memory;
@@ -89,18 +89,18 @@ template <class T, class... Arguments>
     }
 }
 
-// Removes a reference, and destroys the handle with the last one; ignores NULL.
+// Removes a reference. If it was the last one, destroys the object. NULL is ignored.
 template <class T>
 void release_handle(const T* handle) noexcept {
     if (handle == nullptr || !handle->remove_reference()) return;
     const hrbfnpr_context& context = handle->context();
-    context.add_reference(); // the context must outlive the handle's memory
+    context.add_reference(); // The context must outlive the memory of the object.
     handle->~T();
     context.runtime.memory.deallocate(const_cast<T*>(handle), sizeof(T));
     release_context(&context);
 }
 
-// Keeps a handle alive while a call uses it.
+// Keeps an object alive while a call uses it.
 template <class T>
 class HandleHold {
 public:

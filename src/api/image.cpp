@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws a drawing into an image of the caller.
+// Draws a drawing into the caller's image.
 #include "api/barrier.h"
 #include "api/checks.h"
 #include "api/descriptor.h"
@@ -37,7 +37,7 @@ namespace {
 
 constexpr std::int32_t largest_side = 32768;
 
-// Returns the row stride in bytes. Checks that all rows lie in the address space.
+// Returns the row stride in bytes. Checks that all rows are inside the address space.
 std::int64_t checked_row_stride(const hrbfnpr_image& image, std::int64_t pixel) {
     const std::int64_t row = pixel * image.width;
     if (image.row_stride == 0) return row;

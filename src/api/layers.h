@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Kinds and names of layers of marks, as callers give them.
+// Kinds and names of layers of marks, as the caller gives them.
 #pragma once
 
 #include "api/descriptor.h"
@@ -15,7 +15,7 @@ static_assert(static_cast<int>(hrbfnpr::marks::Kind::hatch) == HRBFNPR_LAYER_KIN
 
 namespace hrbfnpr::api {
 
-// Checks "<owner>.name". Returns an empty name for NULL.
+// Checks the name in "<owner>.name". NULL gives an empty name.
 [[nodiscard]] inline marks::LayerName checked_name(const char* given, const char* owner) {
     marks::LayerName name{};
     if (given == nullptr) return name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hrbfnpr_layout: the compiler writes the texts, so that nothing is allocated and nothing can fail.
+// Implements hrbfnpr_layout. The texts are made at compile time, so the function allocates nothing and cannot fail.
 #include "api/struct_fields.h"
 
 #include <array>
@@ -23,7 +23,7 @@ constexpr std::array layouts{
 #undef HRBFNPR_LAYOUT
 };
 
-// Writes characters to `to`, or only counts them if `to` is NULL.
+// Writes characters to `to`. If `to` is NULL, it only counts them.
 class Text {
 public:
     constexpr explicit Text(char* to) noexcept : _to(to) {}
@@ -78,10 +78,10 @@ constexpr std::size_t length() noexcept {
     Text text(nullptr);
     write_all(text);
     for (const StructLayout& layout : layouts) write(text, layout);
-    return text.size() + 1 + layouts.size(); // each text ends with a NUL
+    return text.size() + 1 + layouts.size(); // Each text ends with a NUL, which is counted, too.
 }
 
-// The text of the list of all structs, followed by the text of each struct.
+// The text with the list of all structs, followed by a text for each struct.
 struct Texts {
     std::array<char, length()> characters;
     std::array<std::size_t, layouts.size() + 1> begins;

@@ -39,11 +39,11 @@ hrbfnpr_line_set_info defaults() noexcept {
 
 namespace {
 
-// Frames evaluate the model again for each camera, so it is prepared for this many evaluations.
+// A model is prepared for this many evaluations, because each frame evaluates it again for its camera.
 constexpr double expected_evaluations = 1e6;
 constexpr std::int64_t most_lines = 65536;
 
-// Owns the arrays that the requests refer to, until the line set is made.
+// Owns the arrays that the requests point to, until the line set is made.
 struct Requests {
     explicit Requests(base::Memory& memory) noexcept : memory_(memory) {}
 
@@ -126,7 +126,7 @@ void Requests::add(const hrbfnpr_line_desc& desc, const char* name) {
     requests_.push_back(request);
 }
 
-// Owns the samples that say where the surface ends, until the line set is made.
+// Owns the samples by which the end of the surface is found, until the line set is made.
 struct SupportArrays {
     SupportArrays(base::Memory& memory, const hrbfnpr_line_set_desc& desc)
         : points(finite_numbers(memory, desc.support_points, "line_set_desc.support_points", points_type)),

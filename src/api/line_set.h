@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A line set as a handle; it keeps its model.
+// The handle of a line set. It keeps the model.
 #pragma once
 
 #include "api/model.h"

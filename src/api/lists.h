@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lists of the caller: pointer, count and stride of structs that each begin with their own size.
+// Lists from the caller: a pointer, a count, and a stride. Each element is a struct that begins with its size.
 #pragma once
 
 #include "api/descriptor.h"
@@ -11,7 +11,7 @@
 
 namespace hrbfnpr::api {
 
-// The name of one element, such as "items[3]".
+// The name of an element in messages, such as "items[3]".
 struct ElementName {
     ElementName(const char* list, std::int64_t number) noexcept {
         std::snprintf(text, sizeof text, "%.70s[%lld]", list, static_cast<long long>(number));
@@ -19,7 +19,7 @@ struct ElementName {
     char text[96];
 };
 
-// The prefix of the names of a list's count and stride: "style.line_" for "style.lines".
+// The prefix of the names of a list's count and stride. For "style.lines" it is "style.line_".
 struct CountPrefix {
     explicit CountPrefix(const char* list) noexcept {
         const auto length = static_cast<int>(std::strlen(list));
@@ -50,7 +50,7 @@ public:
     }
 
     [[nodiscard]] std::int64_t count() const noexcept { return count_; }
-    // Returns the struct in full: missing fields have their defaults.
+    // Returns element i in full. Missing fields have their defaults.
     [[nodiscard]] T operator[](std::int64_t i) const {
         return read_struct(reinterpret_cast<const T*>(first_ + i * stride_), ElementName(name_, i).text);
     }

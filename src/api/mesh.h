@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh as a handle.
+// The handle of a mesh.
 #pragma once
 
 #include "api/handles.h"
@@ -18,5 +18,5 @@ struct hrbfnpr_mesh : hrbfnpr::api::Child {
 
     const hrbfnpr::mesh::Mesh mesh;
     const hrbfnpr::mesh::FaceTree tree;
-    const hrbfnpr::mesh::CreaseEvidence creases; // the evidence for creases at the default crease angle
+    const hrbfnpr::mesh::CreaseEvidence creases; // the evidence for creases at the default angle
 };

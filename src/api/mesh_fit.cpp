@@ -80,9 +80,9 @@ hrbfnpr_mesh_fit_info defaults() noexcept {
 namespace {
 
 constexpr double evaluations_of_a_comparison = 5e5;
-constexpr double smallest_tolerance = 1e-6; // in diagonals
+constexpr double smallest_tolerance = 1e-6; // The smallest tolerance, in diagonals.
 constexpr double smallest_cell = 1e-3;
-constexpr double end_of_mesh_fit = 0.95; // share of the progress; the trim follows
+constexpr double end_of_mesh_fit = 0.95; // The share of the progress at which the fit ends and the trim begins.
 constexpr std::int64_t fewest_points = 100;
 constexpr std::int64_t fewest_candidates = 1000;
 
@@ -98,7 +98,7 @@ void check_smallest(const char* owner, const char* name, double value, double sm
              smallest);
 }
 
-// The support of the model's samples, or null if `limit` is 0.
+// Returns the support of the model's samples, or null if `limit` is 0.
 std::unique_ptr<surface::Support> support_of(const hrbfnpr_model& model, double limit, const base::Progress& progress) {
     if (!(limit > 0.0)) return nullptr;
     const std::span<const double> p = model.samples().position;

@@ -75,8 +75,8 @@ const implicit::Implicit& hrbfnpr_model::implicit_for(double evaluations, const 
         const std::scoped_lock lock(preparing_);
         if (ready.tried) return ready.implicit != nullptr ? *ready.implicit : implicit();
     }
-    // Prepare without the lock, because the caller's callbacks run here and may call this function again. If two
-    // threads prepare at the same time, the results are the same, and one is kept.
+    // No lock is held while preparing, because the caller's callbacks run here and may call this function again. If two
+    // threads prepare at the same time, their results are equal, and one result is kept.
     std::unique_ptr<implicit::Implicit> made = prepare(way, progress.part(0.0, 0.0));
     const std::scoped_lock lock(preparing_);
     if (!ready.tried) ready.implicit = std::move(made);
@@ -163,9 +163,9 @@ hrbfnpr_model_info defaults() noexcept {
 
 namespace {
 
-// The smallest diagonal of a box, as for fits: squares and cubes of lengths stay far from the ends of a double's range.
+// The smallest diagonal of a box, as for fits. It keeps squares and cubes of lengths inside the range of a double.
 constexpr double smallest_fit_box = 1e-100;
-// Shares of the progress that the fit and the search for the box end at; the trim follows.
+// The shares of the progress at which the fit, and the search for the box, end. The trim follows.
 constexpr double end_of_fit = 0.9;
 constexpr double end_of_bounds = 0.91;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A model as a handle: an HRBF with the report of its fit, a caller's function, or a tree of both.
+// The handle of a model: a fit with its report, a caller's function, or a tree of models.
 #pragma once
 
 #include "api/csg_solid.h"
@@ -28,11 +28,11 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         : Child(context),
           surface(std::in_place_type<hrbfnpr::implicit::SheetTree>, context.runtime.instruction_set, std::move(pieces)),
           report(fit), history(context.runtime.memory) {}
-    // Makes a trimmed model: the function of `of`, whose surface ends where the trim says, if there is one. If `of` is
-    // trimmed, its own trim does not count.
+    // Makes a trimmed model. Its function is that of `of`, and its surface ends where the trim says, if a trim is
+    // given. If `of` is trimmed, its trim is not used.
     hrbfnpr_model(hrbfnpr_context& context, const hrbfnpr_model& of, hrbfnpr::generate::FoundTrim&& found);
     ~hrbfnpr_model();
-    // From here on the model calls the caller's release function at its end.
+    // From here on, the model must call the caller's release function when it is destroyed.
     hrbfnpr_model(hrbfnpr_context& context, const hrbfnpr::implicit::CustomFunction& custom) noexcept
         : Child(context), surface(std::in_place_type<hrbfnpr::implicit::Custom>, custom),
           history(context.runtime.memory) {}
@@ -47,7 +47,7 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         if (const auto* made = std::get_if<hrbfnpr::implicit::SheetTree>(&surface)) return *made;
         return *std::get_if<hrbfnpr::implicit::Custom>(&surface);
     }
-    // nullptr for a model that is no tree, and for a trimmed one.
+    // Returns nullptr if the model is not a tree, or if it is trimmed.
     [[nodiscard]] const hrbfnpr::api::CsgSolid* csg() const noexcept {
         const auto* solid = std::get_if<std::unique_ptr<hrbfnpr::api::CsgSolid>>(&surface);
         return solid != nullptr ? solid->get() : nullptr;
@@ -60,10 +60,10 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
     void set_trim_report(const hrbfnpr::generate::TrimReport& found) noexcept { trim_.report = found; }
     [[nodiscard]] const hrbfnpr::generate::FoundTrim& trim() const noexcept { return trim_; }
     // Returns the same function, prepared if that saves time for this number of evaluations. The first such call
-    // prepares it.  Any thread may call this.
+    // prepares it.  It may be called on any thread.
     [[nodiscard]] const hrbfnpr::implicit::Implicit& implicit_for(double evaluations,
                                                                   const hrbfnpr::base::Progress& progress) const;
-    // nullptr for a model that is not one fit.
+    // Returns nullptr if the model is not a single fit.
     [[nodiscard]] const hrbfnpr::implicit::HrbfData* data() const noexcept {
         const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&untrimmed().surface);
         return hrbf != nullptr ? &hrbf->data() : nullptr;
@@ -73,7 +73,7 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         const auto* made = std::get_if<hrbfnpr::implicit::SheetTree>(&untrimmed().surface);
         return made != nullptr ? &made->data() : nullptr;
     }
-    // Empty for a custom model and a tree.
+    // Returns an empty hint for a custom model and for a tree.
     [[nodiscard]] hrbfnpr::generate::SampleHint samples() const noexcept {
         if (const auto* hrbf = data()) return {hrbf->sample_position.span(), hrbf->spacing};
         if (const auto* made = pieces()) return {made->sample_position.span(), made->spacing};
@@ -90,10 +90,12 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         surface; // std::monostate in a trimmed model: see untrimmed()
     // These two are valid in untrimmed() only.
     hrbfnpr::fit::FitReport report;
-    hrbfnpr::base::Array<double> history; // the residuals of a fit's iterations; empty if the model is not a fit
+    // The residuals after the iterations of a fit; empty if the model is not a fit.
+    hrbfnpr::base::Array<double> history;
 
 private:
-    // The number of ways to prepare. Way 0 prepares an HRBF, or the zones of pieces; way 1 their zones and sheets.
+    // The number of ways to prepare a model. Way 0 prepares the HRBF, or the zones of the pieces. Way 1 prepares both
+    // zones and sheets.
     static constexpr std::size_t ways = 2;
     // Returns the way that saves time for this number of evaluations, or `ways` if none does.
     [[nodiscard]] std::size_t preparation_for(double evaluations) const noexcept;
@@ -107,7 +109,7 @@ private:
     mutable std::mutex preparing_;
     struct Preparation {
         bool tried = false;
-        std::unique_ptr<hrbfnpr::implicit::Implicit> implicit; // null: it would not be accurate
+        std::unique_ptr<hrbfnpr::implicit::Implicit> implicit; // null if it would not be accurate
     };
     mutable std::array<Preparation, ways> preparations_;
     // The prepared functions of untrimmed(), each with this model's trim, at the same index as in preparations_.

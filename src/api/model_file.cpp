@@ -12,7 +12,7 @@ using namespace hrbfnpr;
 namespace hrbfnpr::api {
 namespace {
 
-// Add numbers of the report at the end only: older files hold fewer numbers.
+// The numbers of a report. New numbers must be added at the end, because older files have fewer numbers.
 using Numbers = std::array<double, 32>;
 
 Numbers numbers_of(const fit::FitReport& report) noexcept {
@@ -50,9 +50,9 @@ Numbers numbers_of(const fit::FitReport& report) noexcept {
             static_cast<double>(report.peak_bytes)};
 }
 
-// Turns a number from a file, which may be anything, into a count.
+// Converts a number from a file, which may have any value, into a count.
 std::int64_t count_of(double number) noexcept {
-    constexpr double largest = 9007199254740992.0; // 2^53
+    constexpr double largest = 9007199254740992.0; // 2^53, up to which doubles hold all whole numbers
     return number >= 0.0 && number <= largest ? static_cast<std::int64_t>(number) : 0;
 }
 
@@ -60,7 +60,7 @@ std::int32_t small_count_of(double number) noexcept {
     return static_cast<std::int32_t>(std::min<std::int64_t>(count_of(number), 1000000));
 }
 
-// Reads the numbers that version 0.1 did not store. Without them the report keeps its defaults.
+// Reads the numbers that files of version 0.1 do not have. Without these numbers, the report keeps its defaults.
 void read_rest(std::span<const double> stored, const Numbers& n, fit::FitReport& report) noexcept {
     if (stored.size() < n.size()) return;
     if (n[16] == static_cast<double>(fit::SolverKind::iterative)) report.solver = fit::SolverKind::iterative;
@@ -106,8 +106,8 @@ fit::FitReport report_of(std::span<const double> stored) noexcept {
     return report;
 }
 
-// Packs the vectors in the order of the given samples. From the support's own order, loading would make another
-// support, and saving that support another file.
+// Packs the vectors in the order of the given samples, not in the order of the support. Otherwise loading would make a
+// different support, and saving that support a different file.
 void pack(base::Array<double>& packed, const surface::Support& support, const geometry::VecArray& vectors) {
     packed.resize(3 * vectors.size());
     for (std::int64_t at = 0; at < vectors.size(); ++at)
@@ -180,7 +180,7 @@ void save(const hrbfnpr_model& model, io::Writer& writer) {
     io::save_model({data, pieces, numbers_of(model.untrimmed().report)}, &trim, writer);
 }
 
-// Makes a model of the file's data, and moves the data out of the file.
+// Makes a model from the data of a file. The data is moved.
 hrbfnpr_model* model_of(hrbfnpr_context& context, io::FitFile& file) {
     const fit::FitReport report = report_of(file.report.span());
     if (file.pieces) return make_handle<hrbfnpr_model>(context, std::move(*file.pieces), report);
@@ -188,7 +188,7 @@ hrbfnpr_model* model_of(hrbfnpr_context& context, io::FitFile& file) {
         context, fit::FitResult{std::move(file.data), report, base::Array<double>(context.runtime.memory)});
 }
 
-// Reports invalid nodes as a damaged file, because they are no fault of the caller.
+// Invalid nodes are reported as a damaged file, because the caller did not make them.
 hrbfnpr_model* tree_of(hrbfnpr_context& context, io::ModelFile& file) {
     try {
         check_csg_tree("nodes", file.tree);

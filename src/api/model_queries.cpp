@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Evaluation, projection and curvature of many points at a time.
+// Evaluates many points, projects them, and computes curvatures.
 #include "api/barrier.h"
 #include "api/descriptor.h"
 #include "api/fields.h"
@@ -56,7 +56,7 @@ hrbfnpr_curvature defaults() noexcept {
 
 namespace {
 
-// The cost of a Hessian with the gradient, in evaluations of value and gradient.
+// The time for a Hessian and a gradient, relative to the time for a value and a gradient.
 constexpr double hessian_cost = 2.5;
 
 constexpr std::int64_t block_size = 262144;
@@ -64,7 +64,7 @@ struct FieldOutputs {
     base::OutView value, gradient, hessian;
 };
 
-// The fields of one block, as a structure of arrays.
+// The results for one block of points, as a structure of arrays.
 class FieldBlock {
 public:
     FieldBlock(base::Memory& memory, const FieldOutputs& out, std::int64_t size)
@@ -79,7 +79,7 @@ public:
 
     [[nodiscard]] const implicit::FieldBatch& fields() const noexcept { return fields_; }
 
-    // Element `from` of the block is element first + from of the outputs.
+    // Writes elements of the block. Element `from` of the block is element first + from of the outputs.
     void write(std::int64_t from, std::int64_t to, std::int64_t first) const {
         const CheckedOutput value("value");
         const CheckedOutput gradient("gradient");
@@ -132,7 +132,7 @@ struct ProjectionOutputs {
     base::OutView position, normal, status;
 };
 
-// Returns how many points converged.
+// Writes the projections of a block. Returns the number of points that converged.
 std::int64_t write(const surface::Projection& block, const ProjectionOutputs& out, std::int64_t first,
                    const base::Progress& progress) {
     std::int64_t converged = 0;

@@ -70,7 +70,7 @@ geometry::VecArray points_of(const hrbfnpr_model& model, const hrbfnpr_trim_desc
          static_cast<long long>(i));
 }
 
-// If no normals are given, the normals of the samples are used, or else those of the surface.
+// Returns the given normals. If none are given, returns the normals of the samples or, without these, of the surface.
 geometry::VecArray normals_of(const hrbfnpr_model& model, const hrbfnpr_trim_desc& desc,
                               const geometry::VecArray& points, const base::Progress& progress) {
     base::Memory& memory = model.runtime().memory;
@@ -138,10 +138,10 @@ hrbfnpr_trim_info describe_trim(const hrbfnpr_model& model) noexcept {
     return info;
 }
 
-// With fewer samples than this, their spacing is unknown.
+// With fewer samples, their spacing is unknown.
 constexpr std::int64_t fewest = 10;
 
-// Returns an empty result if the end of the surface cannot be found.
+// Finds where to trim a fit. Returns an empty result if the end of the surface cannot be found.
 generate::FoundTrim trim_of_fit(const hrbfnpr_model& fitted, const geometry::VecArray& position,
                                 const geometry::VecArray& normal, const generate::TrimSettings& settings,
                                 const base::Progress& progress) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An operation as a handle, and its use by one long call.
+// The handle of an operation, and its use by one long call.
 #pragma once
 
 #include "api/handles.h"
@@ -13,10 +13,11 @@ struct hrbfnpr_operation : hrbfnpr::api::Child {
 
 namespace hrbfnpr::api {
 
-// Lets one call use an operation, which may be NULL, and keeps it alive if the caller releases it meanwhile.
+// Lets one call use an operation, which may be NULL. It keeps the operation alive, even if the caller releases it
+// during the call.
 class OperationUse {
 public:
-    // Throws Error{cancelled} if the operation was cancelled, or Error{invalid_argument} if another call uses it.
+    // Throws Error{cancelled} if the operation is cancelled, and Error{invalid_argument} if another call is using it.
     explicit OperationUse(hrbfnpr_operation* operation);
     ~OperationUse();
     OperationUse(const OperationUse&) = delete;
@@ -25,9 +26,9 @@ public:
     [[nodiscard]] base::Progress progress() const noexcept {
         return handle_ != nullptr ? base::Progress(&handle_->operation) : base::Progress();
     }
-    // Reports that the work is done: sets the progress to 1, and checks for cancellation for the last time.
+    // Reports the end of the work: sets the progress to 1, after a last check for cancellation.
     void finish() const { progress().update(1.0); }
-    // Ends a call that has already made a handle. If the operation was cancelled, the handle is released.
+    // Ends a call that has already made a handle. If the operation is cancelled, the handle is released.
     template <class T>
     [[nodiscard]] T* finish_with(T* handle) const {
         try {

@@ -9,21 +9,21 @@
 
 namespace hrbfnpr::api {
 
-// Tells whether a HRBFNPR_NORMALS_* mode needs no normals.
+// Returns whether a mode (HRBFNPR_NORMALS_*) allows samples without normals.
 [[nodiscard]] bool may_lack_normals(std::uint32_t mode) noexcept;
 
-// Owns the normals that a mode makes, and reports the findings.
+// Owns the normals that a mode makes, and reports how they were found.
 class NormalsOfFit {
 public:
-    // Puts the normals into `input`.
+    // Finds or repairs the normals, and puts them into `input`.
     NormalsOfFit(const base::Work& work, std::uint32_t mode, fit::FitInput& input);
 
-    // Returns the part of the progress that remains for the fit.
+    // Returns the part of the progress for the fit itself.
     [[nodiscard]] base::Progress rest(const base::Progress& progress) const noexcept;
     void report(fit::FitReport& report) const noexcept;
 
 private:
-    static constexpr double share = 0.5; // the share of the progress that the normals take
+    static constexpr double share = 0.5; // the share of the progress for the normals
 
     bool made_ = false;
     bool inward_ = false;

@@ -187,7 +187,7 @@ PageSettings settings_of(const PageDesc& desc) noexcept {
     return settings;
 }
 
-// Reads and checks all parts of a page before a byte is written.
+// Reads and checks all parts of a page, before any output is written.
 class PageReader {
 public:
     PageReader(base::Memory& memory, const PageDesc& desc, const base::Progress& progress)
@@ -283,7 +283,7 @@ private:
     base::Array<output::Placement> placements_;
     base::Array<output::Pen> pens_;
     base::Array<output::Annotation> annotations_;
-    base::Array<double> numbers_; // the annotations' points
+    base::Array<double> numbers_; // the coordinates of the annotations' points
 };
 
 hrbfnpr_page_info describe(const output::PageCounts& counts, const glm::dvec2& size) noexcept {

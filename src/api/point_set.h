@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A point set as a handle.
+// The handle of a point set.
 #pragma once
 
 #include "api/handles.h"
@@ -14,7 +14,7 @@ struct hrbfnpr_point_set : hrbfnpr::api::Child {
 
 namespace hrbfnpr::api {
 
-// Prepares a finished set for frames, and makes a handle of it.
+// Prepares a new set for frames, and makes a handle of it.
 [[nodiscard]] hrbfnpr_point_set* adopt(hrbfnpr_context& context, marks::PointSet&& set);
 
 } // namespace hrbfnpr::api

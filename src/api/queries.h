@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The points or vectors that a caller asks a model about. They are checked once and read in blocks, which keeps the
-// scratch of a call small.
+// The points or vectors of a query on a model. They are checked at the beginning and read in blocks, so a call needs
+// little working memory.
 #pragma once
 
 #include "api/barrier.h"
@@ -18,21 +18,21 @@
 namespace hrbfnpr::api {
 
 inline constexpr std::int64_t copy_grain = 4096;
-// Largest distance of a query from the model's bounds, in diagonals.
+// The largest distance of a query from the bounds of the model, in diagonals.
 inline constexpr double farthest_query = 1e50;
 
 class Queries {
 public:
-    // `name` is the argument's name in messages. It must outlive this object.
+    // `name` is the name of the argument, for messages. It must outlive this object.
     Queries(const base::Runtime& runtime, const hrbfnpr_array* array, const char* name)
         : runtime_(runtime), view_(in_view(deref(array, name), name, points_type)), name_(name) {}
 
     [[nodiscard]] std::int64_t count() const noexcept { return view_.count; }
 
-    // Call the checks after those of all other arguments, because they read all points.
-    // Checks that f and its derivatives are finite at the points: these are finite and near enough to the model.
+    // Checks that the points are finite and near enough to the model for f and its derivatives to be finite. Call this
+    // after the checks of all other arguments, because it reads all points.
     void check_near(const implicit::Implicit& implicit) const {
-        // The bounds from a file may be narrower than the rounding of the samples' coordinates.
+        // Bounds from a file may be smaller than the rounding errors of the coordinates.
         const geometry::Bounds& bounds = implicit.bounds();
         const double rounding = 1e-9 * std::max(glm::length(bounds.min), glm::length(bounds.max));
         const geometry::Bounds near = bounds.grown(std::max(farthest_query * implicit.diagonal(), rounding));
@@ -84,7 +84,7 @@ private:
     const char* name_;
 };
 
-// Calls work(begin, end, progress) for each block of [0, count).
+// Calls work(begin, end, progress) for consecutive blocks of [0, count).
 template <class F>
 void for_blocks(std::int64_t count, std::int64_t block_size, const base::Progress& progress, F&& work) {
     const auto share = [&](std::int64_t i) { return static_cast<double>(i) / static_cast<double>(count); };
@@ -121,7 +121,7 @@ inline void set_vector(const base::OutView& out, std::int64_t i, const glm::dvec
         out.set(i, first_component + axis, v[static_cast<glm::length_t>(axis)]);
 }
 
-// Throws if a number does not fit into the output. Call it before anything is written.
+// Throws if a number does not fit into the output. It must be called before any output is written.
 inline void check_fits(double number, std::int64_t element, const base::OutView& to, const char* name) {
     constexpr double most = 3.4028234663852886e38;
     if (to.scalar == base::Scalar::float32 && std::isfinite(number) && std::abs(number) > most)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Casts rays on a model, and tells which points lie inside it.
+// Casts rays on a model, and finds which points are inside it.
 #include "api/barrier.h"
 #include "api/descriptor.h"
 #include "api/fields.h"
@@ -56,7 +56,7 @@ hrbfnpr_ray_hits defaults() noexcept {
 
 namespace {
 
-constexpr std::int64_t rays_at_once = 65536; // points, or places for hits, in one block
+constexpr std::int64_t rays_at_once = 65536; // The number of points, or of places for hits, in one block.
 
 RaySettings checked(const hrbfnpr_cast_desc& desc) {
     cast_fields().check("cast_desc", desc);
@@ -81,7 +81,7 @@ struct RayOutputs {
     base::OutView count, t, position, normal, entering, status;
 };
 
-// Ray i of the block is ray first + i of the outputs.
+// Writes the hits of a ray. Ray i of the block is ray first + i of the outputs.
 void write_ray(const surface::RayHits& block, std::int64_t i, std::int64_t maximum_hits, const RayOutputs& out,
                std::int64_t first) {
     if (out.count) out.count.set(first + i, 0, static_cast<double>(block.count[i]));
@@ -100,7 +100,7 @@ void write_ray(const surface::RayHits& block, std::int64_t i, std::int64_t maxim
     }
 }
 
-// Returns how many rays have a hit.
+// Casts rays and writes their hits. Returns the number of rays that have a hit.
 std::int64_t cast_rays(const hrbfnpr_model& model, const Queries& origins, const Queries& directions,
                        surface::RaySettings settings, const RayOutputs& out, const base::Progress& progress) {
     const base::Runtime& runtime = model.runtime();
@@ -123,7 +123,7 @@ std::int64_t cast_rays(const hrbfnpr_model& model, const Queries& origins, const
     return hit_rays;
 }
 
-// Returns how many points are inside.
+// Tests whether points are inside. Returns the number of points inside.
 std::int64_t contains(const hrbfnpr_model& model, const Queries& queries, const base::OutView& out,
                       const base::Progress& progress) {
     geometry::VecArray points(model.runtime().memory);

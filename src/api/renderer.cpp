@@ -34,12 +34,12 @@ namespace {
 
 constexpr std::int64_t most_drawn_items = 1000000;
 constexpr std::int64_t most_poses = 65536;
-// A renderer keeps this many drawings for reuse: one that is shown, one that is being made, and some in between.
+// The number of drawings that a renderer keeps for reuse: one is shown, one is being made, and some are waiting.
 constexpr std::int64_t most_kept = 4;
 
 using Items = List<hrbfnpr_item>;
 
-// Reads and checks everything before any drawing is touched.
+// Reads and checks all items before a drawing is changed.
 class ItemReader {
 public:
     ItemReader(hrbfnpr_renderer& renderer, const Items& items) noexcept : renderer_(renderer), items_(items) {}
@@ -50,7 +50,7 @@ public:
         renderer_.line_styles.clear();
         renderer_.poses.clear();
         for (std::int64_t i = 0; i < items_.count(); ++i) read(items_[i], items_.name(i).text);
-        // From here on the arrays do not move, so spans of them stay valid.
+        // From here on, the arrays do not move, so spans of them stay valid.
         std::size_t style = 0;
         std::size_t line = 0;
         std::size_t pose = 0;
@@ -141,7 +141,7 @@ private:
     const Items& items_;
 };
 
-// Returns an idle drawing (only the renderer holds it) or a new one, with a reference for the caller.  All idle
+// Returns an idle drawing, which only the renderer holds, or a new drawing, with a reference for the caller.  All idle
 // drawings release their point sets.
 hrbfnpr_drawing* idle_drawing(hrbfnpr_renderer& renderer) {
     hrbfnpr_drawing* idle = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A renderer as a handle: the scratch of one thread, and its last drawings.
+// The handle of a renderer: the working memory of one thread, and its last drawings.
 #pragma once
 
 #include "api/drawing.h"
@@ -15,10 +15,10 @@ struct hrbfnpr_renderer : hrbfnpr::api::Child {
     }
 
     hrbfnpr::frame::Frame frame;
-    // These belong to the drawing that is being made.
+    // These members belong to the drawing that is being made.
     hrbfnpr::base::Array<hrbfnpr::frame::Item> items;
     hrbfnpr::base::Array<hrbfnpr::frame::LayerStyle> layer_styles;
     hrbfnpr::base::Array<hrbfnpr::frame::LineStyle> line_styles;
     hrbfnpr::base::Array<hrbfnpr::frame::Pose> poses;
-    hrbfnpr::base::Array<hrbfnpr_drawing*> drawings; // holds a reference to each drawing
+    hrbfnpr::base::Array<hrbfnpr_drawing*> drawings; // The renderer holds a reference to each drawing.
 };

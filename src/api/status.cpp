@@ -28,7 +28,8 @@ static_assert(is_number<hrbfnpr::Status::internal>(HRBFNPR_STATUS_INTERNAL));
 static_assert(sizeof(hrbfnpr_error) == 256);
 static_assert(sizeof(hrbfnpr_error::message) == hrbfnpr::Error::message_capacity);
 
-// Leaves an error struct alone that is not set up: its memory may be anything.
+// Writes an error to the caller's struct. If the struct is not initialised, it is not changed, because its memory may
+// contain anything.
 hrbfnpr_status write_error(hrbfnpr_error* error, hrbfnpr::Status status, const char* message) noexcept {
     const auto number = static_cast<hrbfnpr_status>(status);
     if (error != nullptr && error->struct_size >= sizeof(hrbfnpr_error)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Adapts the caller's stream callbacks and memory to the streams of src/io.
+// Adapts the caller's callbacks and memory to the streams of src/io.
 #pragma once
 
 #include "api/barrier.h"
@@ -41,7 +41,8 @@ private:
     void* user_;
 };
 
-// Runs save(writer) into the caller's memory, or throws BUFFER_TOO_SMALL. *size is the size needed.
+// Runs save(writer) with the caller's memory. Sets *size to the number of bytes needed. Throws BUFFER_TOO_SMALL if the
+// memory is smaller.
 template <class F>
 void save_to_memory(void* destination, std::int64_t capacity, std::int64_t* size, F&& save) {
     require_pointer(size, "size");

@@ -53,7 +53,7 @@ void add_layers(const Style& style, const char* owner, base::Array<frame::LayerS
     }
 }
 
-// Returns the caller's own numbers, which must be packed. They are read while the call lasts.
+// Returns the caller's numbers, which must be packed. They must stay valid until the call ends.
 std::span<const double> levels_of(const LineStyle& style, const char* owner) {
     char name[112];
     std::snprintf(name, sizeof name, "%.95s.levels", owner);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The fields of styles: each row checks a field, copies it to the frame's settings, and has its default.
+// The field tables of styles. Each row checks a field, copies it to the settings of the frame, and contains its
+// default.
 #pragma once
 
 #include "api/fields.h"
@@ -29,7 +30,7 @@ static_assert(static_cast<int>(frame::Shape::hatch) == HRBFNPR_SHAPE_HATCH);
 
 namespace style_rule {
 
-inline constexpr double largest_radius = 16384.0; // pixels
+inline constexpr double largest_radius = 16384.0; // in pixels
 inline constexpr rule::Between pixels{0.0, largest_radius};
 inline constexpr rule::PositiveUpTo radius{largest_radius};
 inline constexpr rule::Between share{0.0, 1.0};

@@ -14,7 +14,7 @@
 
 namespace {
 
-constexpr const char* version_text = "0.1.0"; // must match the numbers below
+constexpr const char* version_text = "0.1.0"; // This text must match the numbers below.
 static_assert(HRBFNPR_VERSION_MAJOR == 0 && HRBFNPR_VERSION_MINOR == 1 && HRBFNPR_VERSION_PATCH == 0);
 
 constexpr const char* compiler =
@@ -31,7 +31,7 @@ constexpr const char* glm_version =
 
 constexpr const char* highway_version = HRBFNPR_TEXT(HWY_MAJOR) "." HRBFNPR_TEXT(HWY_MINOR) "." HRBFNPR_TEXT(HWY_PATCH);
 
-// The values come from the library and need no escapes.
+// The values come from the library, so they need no escapes in JSON.
 std::string build_info() {
     std::string json = "{\"version\": \"";
     json += version_text;

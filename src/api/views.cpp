@@ -37,7 +37,7 @@ void check_type(std::uint32_t scalar, std::uint32_t components, const char* name
         fail(Status::invalid_argument, "%s.components is %u; it must be %u", name, components, type.components);
 }
 
-// Returns the stride in bytes. Checks that all elements lie in the address space.
+// Returns the stride in bytes. Checks that all elements are inside the address space.
 std::int64_t checked_stride(const void* data, std::int64_t count, std::int64_t stride, std::int64_t element,
                             const char* name) {
     if (stride == 0) stride = element;

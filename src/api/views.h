@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Converts hrbfnpr_array to the views that the rooms below take. Those rooms do not check them again.
+// Converts a hrbfnpr_array to the views that other rooms use. Those rooms do not check the views again.
 #pragma once
 
 #include "base/memory.h"
@@ -9,7 +9,7 @@
 
 namespace hrbfnpr::api {
 
-// Sets of allowed scalar types, with one bit for each type.
+// Sets of scalar types that an array may have. Each type is one bit.
 inline constexpr unsigned float_types = 1U << HRBFNPR_SCALAR_FLOAT32 | 1U << HRBFNPR_SCALAR_FLOAT64;
 inline constexpr unsigned float32_only = 1U << HRBFNPR_SCALAR_FLOAT32;
 inline constexpr unsigned uint8_only = 1U << HRBFNPR_SCALAR_UINT8;
@@ -28,12 +28,12 @@ inline constexpr ArrayType number_type{1, float_types};
 // These throw Error{invalid_argument} that names the array.  An array without elements, or not given (data NULL, count
 // 0), gives an empty view.
 [[nodiscard]] base::InView in_view(const hrbfnpr_array& array, const char* name, ArrayType type);
-// The array must have exactly `count` elements, or not be given.
+// The array must have exactly `count` elements, or be absent.
 [[nodiscard]] base::InView in_view(const hrbfnpr_array& array, const char* name, ArrayType type, std::int64_t count);
-// Copies the numbers element by element. All must be finite.
+// Copies the numbers element by element. Throws if a number is not finite.
 [[nodiscard]] base::Array<double> finite_numbers(base::Memory& memory, const hrbfnpr_array& array, const char* name,
                                                  ArrayType type);
-// `array` may be NULL if the caller does not want the result.
+// `array` may be NULL if the caller does not need the result.
 [[nodiscard]] base::OutView out_view(const hrbfnpr_array_out* array, const char* name, ArrayType type,
                                      std::int64_t count);
 

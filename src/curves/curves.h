@@ -86,7 +86,8 @@ private:
     View view_;
 };
 
-// The border of the support: g = s - limit, with s from surface/support.h. The surface lies to the left of the border.
+// The function for the border of the support: g = s - limit, with s of surface/support.h. The surface is to the left of
+// the border.
 class SupportLevel final : public Level {
 public:
     SupportLevel(const implicit::Implicit& surface, const surface::Support& support, double limit) noexcept

@@ -233,8 +233,9 @@ surface::Projection seeds_on_surface(const base::Work& work, const implicit::Imp
     return on;
 }
 
-// Floods in waves: the cells of a wave get their corners, new corners get their values, and the flood continues over
-// each face that the surface crosses. Blocks of cells that are certainly beyond the surface's end are left out.
+// Finds the crossed cells in waves. The cells of a wave get their corners, the new corners get their values, and the
+// next wave continues across each face that the surface crosses. Blocks of cells that are certainly beyond the end of
+// the surface are skipped.
 CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit& implicit,
                                 const geometry::VecArray& seeds, const Lattice& lattice, const MeshSettings& settings) {
     // The corners of each face of a cell, and the step to the cell across the face.

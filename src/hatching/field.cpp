@@ -228,8 +228,9 @@ Complex in_frame(const SampleGraph& graph, std::int64_t i, const glm::dvec3& v) 
     return {glm::dot(v, graph.u[i]), glm::dot(v, glm::cross(graph.normal[i], graph.u[i]))};
 }
 
-// Where the surface faces the eye, this line has little weight. Near the silhouette it is conjugate to the tangent part
-// of the direction to the eye: II(view, line) = 0. The tangent of a silhouette is so.    [Hertzmann & Zorin 2000]
+// Returns a line that helps near the silhouette. It is conjugate to the tangent part of the direction to the eye,
+// II(view, line) = 0, as the tangent of a silhouette is. Where the surface faces the eye, its weight is small.
+// [Hertzmann & Zorin 2000]
 Complex silhouette_line(double mean, const Complex& difference, const Complex& view, double diagonal) noexcept {
     // The direction to the eye, transformed by the shape operator.
     const Complex turned = mean * view + difference * std::conj(view);

@@ -125,9 +125,9 @@ Crossings cross_edges(const base::Work& work, const curves::SurfaceMesh& mesh, c
     return found;
 }
 
-// Links the crossings on the edges of a triangle. Walking around the triangle, a line enters where the phase rises and
-// leaves where it falls. So two consecutive crossings of opposite sense belong to one line, once all crossings between
-// them are linked. A line without a partner ends here, at a fork.
+// Links the crossings on the edges of a triangle. On a walk around the triangle, the phase passes the value of a line
+// twice: once rising and once falling. So two consecutive crossings of opposite sense belong to one line, once all
+// crossings between them are linked. A line without a partner ends here, at a fork.
 void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int64_t triangle, Crossings& found,
                    base::Array<std::int64_t>& open) {
     const std::int32_t corner = mesh.corner[3 * triangle];

@@ -17,7 +17,7 @@
 namespace hrbfnpr::stipples {
 namespace {
 
-// The longest side of the box around all cells, in cells.
+// Returns the longest side of the box around all cells, in cells.
 std::int64_t cells_across(const SurfaceCells& cells) noexcept {
     if (cells.cell.empty()) return 0;
     geometry::CellGrid::Cell low = geometry::morton_cell(cells.cell[0].code);
@@ -32,30 +32,33 @@ std::int64_t cells_across(const SurfaceCells& cells) noexcept {
     return 1 + std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
 }
 
-// The region is the samples' box with a margin: the surface is known only so close to its samples. Farther sheets of
-// the function and the continuation of an open sheet stay outside.
+// Returns the region for marks: the box of the samples with a margin. The surface is known only close to its samples.
+// Farther sheets of the function, and the continuation of an open sheet, stay outside.
 geometry::Bounds region_of(const marks::Site& site, const marks::Seeds& seeds, double sample_spacing) {
     const geometry::Bounds& bounds = site.implicit.bounds();
     const double diagonal = site.implicit.diagonal();
     const double margin = bounds.diagonal() > 0.0 ? std::clamp(sample_spacing, stipple_tuning.least_margin * diagonal,
                                                                stipple_tuning.most_margin * diagonal)
-                                                  : 0.5 * diagonal; // one sample: a square of its plane
+                                                  // A single sample has no spacing. The margin is then the half
+                                                  // diagonal of its bounds.
+                                                  : 0.5 * diagonal;
     geometry::Bounds region = bounds.grown(margin);
     const auto inside = [&] {
         for (std::int64_t i = 0; i < seeds.position.size(); ++i)
             if (region.contains(seeds.position[i])) return true;
         return false;
     };
-    // The region grows to the seed points that the caller chose, and to all seeds if none is inside.
+    // If the caller chose seed points, the region is enlarged to contain them. If no seed is inside, it is enlarged to
+    // contain all seeds.
     if (seeds.source == marks::SeedSource::points || !inside())
         for (std::int64_t i = 0; i < seeds.position.size(); ++i) region.extend(seeds.position[i]);
     return region;
 }
 
-// Where the surface bends within the spacing of marks, projected marks may be close to each other. Of two marks that
-// are too close, the later one is dropped and counted as strayed. The later mark also determines the least distance, so
-// marks are processed in ranges of the order in which this distance is similar. `wandered`: the marks that moved away
-// from where they were chosen, ascending.
+// Removes marks that projection has brought too close to each other, as it may where the surface bends within the
+// spacing of marks. The later of the two marks is dropped and counted as strayed. The least distance depends on the
+// place of the later mark in the order, so marks are processed in ranges of the order in which the distance is similar.
+// `wandered` has the marks that moved away from where they were chosen, in ascending order.
 void repair_distances(const marks::Site& site, const base::Array<std::int64_t>& wandered, EvenMarks& marks,
                       marks::LevelReport& report) {
     HRBFNPR_ASSERT(std::is_sorted(wandered.begin(), wandered.end()));
@@ -100,7 +103,7 @@ void repair_distances(const marks::Site& site, const base::Array<std::int64_t>& 
     marks.normal.resize(kept);
 }
 
-// Projects the chosen marks. Marks that do not converge leave a gap in the order, and are counted.
+// Projects the chosen marks. If a mark does not converge, it is left out and counted.
 void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMarks& chosen, EvenMarks& marks) {
     const std::int64_t all = chosen.size();
     const auto share = [&](std::int64_t i) { return static_cast<double>(i) / static_cast<double>(all); };
@@ -146,7 +149,7 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
 
 // ---- Densities
 
-// Returns the densities at marks. The first call sets `mean_bend` to the mean over its marks.
+// Returns the density at each mark. The first call sets `mean_bend`, a mean over its marks.
 [[nodiscard]] base::Array<double> densities_by_curvature(const marks::Site& site, const EvenMarks& marks,
                                                          double strength, std::optional<double>& mean_bend) {
     HRBFNPR_ASSERT(strength >= 0.0 && strength <= 1.0);
@@ -187,16 +190,16 @@ SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, d
     const geometry::Bounds region = region_of(site, seeds, sample_spacing);
     const double diagonal = region.diagonal();
     SurfaceCells cells(site.memory());
-    // The estimated area of a small surface in a large box is right only if the cells are small too, so they are found
-    // again until the estimate asks for no finer ones.
+    // If a small surface is in a large box, its estimated area is correct only if cells are small, too. So cells are
+    // found again until the estimate asks for no smaller cells.
     const double finest = diagonal / stipple_tuning.most_in_diagonal;
     double side = diagonal / stipple_tuning.fewest_in_diagonal;
     for (int round = 0; round < stipple_tuning.cover_rounds; ++round) {
-        // Only small surfaces in large boxes need later rounds.
+        // Only small surfaces in large boxes need more than one round.
         const base::Work part = site.work.part(1.0 - std::exp2(-round), 1.0 - std::exp2(-round - 1));
         cells = find_surface_cells(site.with(part), seeds.position, region, side);
         const double spacing = std::sqrt(cells.rough_area() / static_cast<double>(marks));
-        // Too few cells do not determine the area.
+        // If there are too few cells, the area is unknown.
         const bool known = cells_across(cells) >= stipple_tuning.fewest_across;
         const double wanted = known ? std::max(stipple_tuning.cell_spacings * spacing, finest)
                                     : std::max(stipple_tuning.missed_surface_step * side, finest);
@@ -250,7 +253,7 @@ EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, 
              "the density is 0 at all %lld places tried on the surface, so no mark can be made; let it be 1 where "
              "marks are densest",
              static_cast<long long>(probe.position.size()));
-    // The number of marks that remain of the largest even order.
+    // The number of marks to keep from the largest even order.
     const double most = stipple_tuning.most_excess * static_cast<double>(wanted);
     if (std::min(static_cast<double>(wanted), most * mean) < 0.5)
         fail(Status::invalid_argument,
@@ -263,7 +266,7 @@ EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, 
         spread_evenly(site.part(0.15, 0.9), cells, static_cast<std::int64_t>(all), marks::Kind::stipples);
     const base::Array<double> at = densities(even, site.work.part(0.9, 1.0));
     struct Place {
-        double key; // place in the even order, divided by the density
+        double key; // the place in the even order divided by the density
         std::int64_t mark;
         [[nodiscard]] bool operator<(const Place& other) const noexcept {
             return key != other.key ? key < other.key : mark < other.mark;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stipples spread evenly over the area, or by a density, in a progressive order.
+// Spreads stipples evenly over the area, or by a density, in a progressive order.
 #pragma once
 
 #include "marks/site.h"
@@ -9,26 +9,26 @@
 
 namespace hrbfnpr::stipples {
 
-// Finds the cells of the surface that the marks are spread over, fine enough for `marks` marks.
+// Finds the cells of the surface over which marks are spread. The cells are small enough for `marks` marks.
 [[nodiscard]] SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, double sample_spacing,
                                          std::int64_t marks);
 
 struct EvenMarks {
     explicit EvenMarks(base::Memory& memory) noexcept : position(memory), normal(memory) {}
 
-    geometry::VecArray position; // in the progressive order
+    geometry::VecArray position; // the positions, in the progressive order
     geometry::VecArray normal;
     marks::LevelReport report;
     double area = 0.0; // the area of the covered surface
 };
 
-// Throws not_converged if no mark could be placed.
+// Throws not_converged if it cannot place any mark.
 [[nodiscard]] EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
                                       marks::Kind kind);
 
 // ---- Densities: where stipples are to be denser
 
-// The values are those of hrbfnpr_layer_desc.density.
+// The values equal those of hrbfnpr_layer_desc.density.
 enum class Density : std::uint32_t { uniform = 0, curvature = 1, callback = 2 };
 
 struct DensitySettings {
@@ -38,9 +38,9 @@ struct DensitySettings {
     void* user = nullptr;
 };
 
-// Thins an even order to at most `wanted` marks. Each mark's place in the order is divided by the density there. The
-// mark is left out if the result is too high. So any first part of the result has, around each place, the same marks as
-// some first part of the even order.
+// Thins an even order to at most `wanted` marks. The place of each mark in the order is divided by the density there,
+// and marks with a high result are left out. So around each place, the first marks of the result are the same as the
+// first marks of some even order.
 [[nodiscard]] EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
                                           const DensitySettings& density);
 

@@ -40,7 +40,7 @@ constexpr double unit_of_32_bits = 1.0 / 4294967296.0;
     if (std::abs(cell.distance) > side * (0.5 * (along.x + along.y + along.z) + stipple_tuning.miss_distance))
         return {CellKind::empty, 0.0F};
     const CellMap::Around around = numbers.around(cell.code, blocks);
-    // A crease may cut off only an edge or a corner of the cell, so all 26 neighbours are checked.
+    // A crease may cross only an edge or a corner of the cell, so all 26 neighbours are checked.
     for (const std::int32_t next : around)
         if (site.implicit.sheets() != nullptr && next >= 0 &&
             !(glm::dot(cell.normal, cells.cell[next].normal) >= surface::smooth_cosine))
@@ -70,23 +70,22 @@ constexpr double unit_of_32_bits = 1.0 / 4294967296.0;
 
 // ---- 2. Candidates on planes
 
-// Roberts 2018, "The unreasonable effectiveness of quasirandom sequences": with the root x of x^3 = x + 1, the
-// multiples of 1/x and 1/x^2 fill the unit square evenly at any number of points. These are 1/x and 1/x^2 in units of
-// 2^-32.
+// The steps 1/x and 1/x^2, in units of 2^-32, with the root x of x^3 = x + 1. Their multiples fill the unit square
+// evenly for any number of points (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences").
 constexpr std::uint32_t long_step = 3242174889;
 constexpr std::uint32_t short_step = 2447445414;
 
-// The trials of a cell are spread evenly over one of its faces; those whose place on the plane is in the cell are
-// candidates. Coordinates on the face are in units of 2^-32 sides from its middle, and wrap around.
+// The trials of a flat cell, spread evenly over one of its faces. A trial is a candidate if its place on the plane is
+// inside the cell. Coordinates on the face are in units of 2^-32 sides from the middle, and wrap around.
 struct PlaneTrials {
-    int up; // the axis across the face
+    int up; // the axis perpendicular to the face
     std::int32_t count;
     std::uint32_t u, v; // the coordinates of the first trial on the face
     std::uint32_t step_u, step_v;
     double ticket_offset; // random, in [0, 1): the ticket of trial k is (k + ticket_offset) / count
     double level, slope_u, slope_v;
 
-    // Returns the place of a trial on the plane, in sides from the cell's centre.
+    // Returns the place of a trial on the plane, in sides of the cell, relative to its centre.
     [[nodiscard]] glm::dvec3 offset(std::int32_t k) const noexcept {
         const auto along = [&](std::uint32_t from, std::uint32_t step) {
             return unit_of_32_bits * static_cast<std::int32_t>(from + step * static_cast<std::uint32_t>(k));
@@ -109,7 +108,7 @@ struct PlaneTrials {
     const glm::dvec3 a = glm::abs(cell.normal);
     const int up = a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
     const double trials = planes.density * side * side / std::abs(cell.normal[up]);
-    // The points form a lattice. It is turned and mirrored at random from cell to cell, so that it does not show.
+    // The points form a lattice. It is rotated and mirrored at random in each cell, so that it is not visible.
     const bool turned = (random[3] & 1U) != 0;
     const bool mirrored = (random[3] & 2U) != 0;
     const std::uint32_t along_v = turned ? long_step : short_step;
@@ -125,7 +124,7 @@ struct PlaneTrials {
             -cell.normal[(up + 2) % 3] / cell.normal[up]};
 }
 
-// Calls visit(place, ticket) for the candidates of a flat cell; the tickets are in [0, 1).
+// Calls visit(place, ticket) for the candidates of a flat cell. Tickets are in [0, 1).
 template <class Visit>
 void for_candidates_on_plane(const marks::Site& site, const SurfaceCells& cells, std::int64_t number,
                              const PlaneCandidates& planes, Visit&& visit) noexcept {
@@ -180,9 +179,10 @@ void store_plane_candidates(const marks::Site& site, const ClassifiedCells& clas
     return cells.region.contains(p) ? classified.number.find(geometry::morton_code(cells.grid.cell_of(p))) : -1;
 }
 
-// Random number 0 of a cell rounds the fractional number of its trials up or down; number k gives trial k. Trials that
-// the cell's plane puts far off the band are not evaluated: the plane's error within the cell is 3/8 side^2 curvature,
-// so this is right where the surface's radii of curvature are above 1.5 sides, and not used if there are creases.
+// Evaluates f at random trials in cells. Random number 0 of a cell rounds the number of its trials up or down; number k
+// gives trial k. A trial is skipped if the cell's plane puts it far outside the band. The error of the plane inside the
+// cell is 3/8 side^2 curvature, so this is correct if the radii of curvature are above 1.5 sides. It is not used on a
+// surface with creases.
 void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<const std::int32_t> trial_cells,
                  std::span<const std::int64_t> slot, std::uint32_t stream, geometry::VecArray& trial,
                  base::Array<std::uint32_t>& ticket) {
@@ -190,7 +190,7 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
     const double side = cells.grid.side;
     const double unlikely = site.implicit.sheets() == nullptr ? cells.band + stipple_tuning.miss_distance * side
                                                               : std::numeric_limits<double>::infinity();
-    trial.resize(slot.back()); // at first one slot per trial, with NaN if it is not worth evaluating
+    trial.resize(slot.back()); // At first, there is one slot for each trial. It is NaN if the trial is skipped.
     ticket.resize_for_overwrite(slot.back());
     const auto count = static_cast<std::int64_t>(trial_cells.size());
     site.work.for_chunks(count, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
@@ -202,7 +202,7 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
                 const auto u = base::uniform4(site.random_seed, cell.code, base::Purpose::candidate, stream | number);
                 const glm::dvec3 offset = side * glm::dvec3(u[0], u[1], u[2]);
                 const double distance = cell.distance + glm::dot(cell.normal, offset - 0.5 * side);
-                const bool worth = !(std::abs(distance) > unlikely); // also true for NaN
+                const bool worth = !(std::abs(distance) > unlikely); // The comparison is true for NaN, too.
                 trial.set(at, worth ? corner + offset : glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
                 ticket[at] = static_cast<std::uint32_t>(u[3] * 4294967296.0);
             }
@@ -225,7 +225,7 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
     base::Array<std::uint8_t> times(site.memory(), trial.size());
     const bool creased = site.implicit.sheets() != nullptr;
     base::Array<std::int64_t> near(site.memory());
-    geometry::VecArray places(site.memory()); // projections, and mirror images
+    geometry::VecArray places(site.memory()); // the projections, and then mirror images
     for (std::int64_t i = 0; i < trial.size(); ++i) {
         const double distance = field.distance(i);
         if (!(std::abs(distance) <= cells.band)) continue;
@@ -333,7 +333,7 @@ void project_trials(const marks::Site& site, const ClassifiedCells& classified, 
     return static_cast<double>(off) > stipple_tuning.most_off_surface * static_cast<double>(place.size());
 }
 
-// Moves a projection one step further; returns whether it needs another step. Sets its cell to -1 if it is no
+// Moves a projection by one more step. Returns whether it needs another step. Sets its cell to -1 if it is no
 // candidate.
 [[nodiscard]] bool refine_projection(const marks::Site& site, const ClassifiedCells& classified, double distance,
                                      const glm::dvec3& gradient, bool first, Projection& projection,
@@ -348,7 +348,8 @@ void project_trials(const marks::Site& site, const ClassifiedCells& classified, 
         const glm::dvec3 own = glm::normalize(glm::dvec3(unpacked[0], unpacked[1], unpacked[2]));
         const double agree = glm::dot(own, normal);
         if (!(agree >= surface::smooth_cosine)) {
-            // The place is in the tangent plane of another sheet, beyond the crease: reflect it back over the crease.
+            // The place is beyond the crease, in the tangent plane of another sheet, so it is mirrored back across the
+            // crease.
             const glm::dvec3 across = normal - agree * own;
             const double square = glm::dot(across, across);
             const glm::dvec3 at = place - 2.0 * distance / square * across;
@@ -400,7 +401,7 @@ void refine_projections(const marks::Site& site, const ClassifiedCells& classifi
 
 // ---- 4. Both kinds together
 
-// Stores the candidates of both kinds cell by cell. Each cell has separate groups; cells without candidates are left
+// Stores the candidates of both kinds cell by cell. Each cell has groups of its own. Cells without candidates are left
 // out.
 void merge(const marks::Site& site, const ClassifiedCells& classified, const PlaneCandidates& planes,
            const LayerCandidates& layer, Candidates& candidates) {
@@ -462,8 +463,8 @@ PlaneCandidates draw_on_planes(const marks::Site& site, const ClassifiedCells& c
     return planes;
 }
 
-// near / trials is the share of the volume that is in the layer of thickness 2 band. The share of the layer's area that
-// is in the region and in cells that are not flat equals the share of such projections.
+// Estimates the area. near / trials is the share of the volume that is inside the layer, whose thickness is 2 band.
+// Only projections in the region and in cells that are not flat count for the area.
 double LayerCandidates::area() const noexcept {
     if (rounds == 0) return volume / (2.0 * reach);
     if (near == 0) return 0.0;
@@ -479,9 +480,10 @@ LayerCandidates layer_candidates(const ClassifiedCells& classified, std::uint32_
     layer.stream = stream;
     layer.reach = cells.reach();
     layer.band = cells.band;
-    // Small cells get fewer, because the order would not distinguish candidates so close to each other.
+    // The number of projections for each trial. Small cells get fewer, because the order cannot distinguish candidates
+    // so close to each other.
     constexpr std::int64_t most = stipple_tuning.most_projections;
-    // The mean distance between marks, each of which needs about `most` candidates.
+    // The mean distance between marks. Each mark needs about `most` candidates.
     const double spacing = std::sqrt(cells.rough_area() * most / static_cast<double>(wanted));
     layer.projections_per_trial = std::clamp<std::int64_t>(std::lround(0.5 * most * side / spacing), 1, most);
     // A projection is less than a side from its trial point: sqrt(band^2 + 2 projection_stride^2) = 0.93 sides.
@@ -502,14 +504,14 @@ void draw_in_layer(const marks::Site& site, const ClassifiedCells& classified, d
     const std::int64_t cells = layer.trial_cell.size();
     const double missing = density * layer.area() - static_cast<double>(layer.projection.size());
     if (cells == 0 || !(missing > 0.0)) return;
-    // The mean number of projections per trial.
+    // The mean number of projections for each trial.
     double of_trial = static_cast<double>(layer.projection.size()) / layer.trials;
     if (layer.rounds == 0)
         of_trial = static_cast<double>(layer.projections_per_trial) * 2.0 * layer.band * layer.area() / layer.volume;
     const double per_cell =
         missing / std::max(of_trial, stipple_tuning.least_projections_per_trial) / static_cast<double>(cells);
     const std::uint32_t stream = (layer.stream + marks::stream_count * layer.rounds++) << 16U;
-    base::Array<std::int64_t> slot(site.memory()); // where each cell's trials begin in the batch, and the end
+    base::Array<std::int64_t> slot(site.memory()); // for each cell: where its trials begin in the batch; and the end
     geometry::VecArray trial(site.memory());
     base::Array<std::uint32_t> ticket(site.memory());
     const marks::Site standing = site.without_progress();

@@ -25,7 +25,7 @@ enum class CellKind : std::uint8_t {
 
 struct ClassifiedCell {
     CellKind kind;
-    float curvature; // mean; 0 if unknown
+    float curvature; // the mean curvature; 0 if unknown
 };
 
 struct ClassifiedCells {
@@ -43,14 +43,15 @@ struct ClassifiedCells {
 
 [[nodiscard]] ClassifiedCells classify_cells(const marks::Site& site, const SurfaceCells& cells);
 
-// Only the counts are stored: the candidates are drawn again from the cell's random numbers.
+// The candidates on the planes of flat cells. Only their numbers are stored: the candidates are generated again from
+// the random numbers of the cells.
 struct PlaneCandidates {
-    std::uint32_t stream; // the stream of random numbers that trials are drawn from
-    double density;       // trials per unit of area
+    std::uint32_t stream; // the stream of random numbers for the trials
+    double density;       // the number of trials per unit of area
     double most_trials_in_cell;
     base::Array<std::int32_t> count; // the number of candidates in each cell
     std::int64_t all = 0;            // the sum of `count`
-    // The area of the planes inside flat cells and the region, estimated from the candidates.
+    // Returns the area of the planes inside flat cells and the region, estimated from the candidates.
     [[nodiscard]] double area() const noexcept { return all > 0 ? static_cast<double>(all) / density : 0.0; }
 };
 
@@ -60,11 +61,11 @@ struct PlaneCandidates {
 
 // A point on the surface, to second order, with its cell.
 struct Projection {
-    std::int32_t cell; // number in SurfaceCells::cell
+    std::int32_t cell; // the index of its cell in SurfaceCells::cell
     std::uint32_t ticket;
-    glm::vec3 position; // relative to the grid's origin
-    float normal;       // packed
-    bool bent;          // may need further steps to reach the surface
+    glm::vec3 position; // relative to the origin of the grid
+    float normal;       // packed by packed_normal()
+    bool bent;          // True if the projection may need further steps to reach the surface.
 };
 
 // Points are drawn uniformly in the volume of the cells that are not flat and kept within `band` of the surface: a
@@ -77,7 +78,7 @@ struct Projection {
 struct LayerCandidates {
     explicit LayerCandidates(base::Memory& memory) noexcept : trial_cell(memory), projection(memory) {}
 
-    // An estimate from the volume before the first draw, and from the projections afterwards.
+    // Returns an estimate of the area: before the first draw from the volume, and later from the projections.
     [[nodiscard]] double area() const noexcept;
 
     std::uint32_t stream = 0;               // the stream of random numbers that points are drawn from
@@ -89,9 +90,9 @@ struct LayerCandidates {
     base::Array<Projection> projection;
     std::uint32_t rounds = 0;
     double trials = 0.0;
-    std::int64_t near = 0;    // the number of projections of trials within the band
-    std::int64_t strayed = 0; // the number of those projections that are outside the region or its cells
-    bool all_bent = false;    // one step was not enough even where the planes of cells are right
+    std::int64_t near = 0;    // the number of projections whose trials are inside the band
+    std::int64_t strayed = 0; // the number of these projections that are outside the region or in no cell of it
+    bool all_bent = false;    // True if one step is not enough even where the planes of cells are correct.
 };
 
 // `wanted`: the number of candidates of the whole surface.
@@ -100,14 +101,15 @@ struct LayerCandidates {
 // Draws further points until there are about `density` candidates per unit of area.
 void draw_in_layer(const marks::Site& site, const ClassifiedCells& classified, double density, LayerCandidates& layer);
 
-// Candidates, cell by cell along a space-filling curve, in single precision: the chosen ones are projected later.
+// The candidates, cell by cell along a space-filling curve. They are in single precision, because the chosen candidates
+// are projected later.
 struct Candidates {
     explicit Candidates(base::Memory& memory) noexcept
         : code(memory), number(memory), first(memory), group(memory), ticket(memory) {}
 
     [[nodiscard]] std::int64_t cells() const noexcept { return code.size(); }
     [[nodiscard]] OrderBlock places() noexcept { return {group.data(), group.size()}; }
-    // Calls visit(place) for the candidates of a cell whose ticket is below the limit.
+    // Calls visit(place) for those candidates of a cell whose ticket is below the limit.
     template <class Visit>
     void for_taken(std::int64_t cell, std::uint64_t ticket_limit, Visit&& visit) const {
         HRBFNPR_ASSERT(cell >= 0 && cell < cells());
@@ -118,18 +120,18 @@ struct Candidates {
     geometry::CellGrid grid;
     geometry::Bounds region;
     std::int64_t count = 0;
-    base::Array<std::uint64_t> code;  // the codes of the cells that hold candidates (geometry/morton.h), ascending
+    base::Array<std::uint64_t> code;  // the codes of the cells with candidates (geometry/morton.h), in ascending order
     base::Array<std::int32_t> number; // the number of candidates in each cell
-    base::Array<std::int64_t> first;  // the place of each cell's first candidate, which begins a group
-    // x, y, z are relative to grid.origin, within about curvature * (side / 4)^2 of the surface. The order sets
-    // energies and clearances.
+    base::Array<std::int64_t> first;  // for each cell: the place of its first candidate, which begins a group
+    // The candidates. x, y, z are relative to grid.origin, and at most about curvature * (side / 4)^2 off the surface.
+    // The order sets their energies and clearances.
     base::Array<OrderGroup> group;
-    base::Array<std::uint32_t> ticket; // a random number for each place in the groups
-    marks::LevelReport report;         // `attempted` counts all points that were near the surface
-    double area = 0.0;                 // an estimate of the area of the surface inside the region
+    base::Array<std::uint32_t> ticket; // for each place in the groups: a random number
+    marks::LevelReport report;         // its `attempted` counts all points that were near the surface
+    double area = 0.0;                 // the estimated area of the surface inside the region
 };
 
-// Draws about `wanted` candidates.
+// Generates about `wanted` candidates.
 [[nodiscard]] Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
                                          marks::Kind kind);
 
@@ -150,20 +152,22 @@ struct Candidates {
 //    energy gives its best candidate, or the middle of the gap beside it; the cells around add the new mark's energy.
 // 3. The marks of one step of a sweep are shuffled, so that each prefix is spread like the whole.
 
-// The distance between neighbours in the densest packing of `marks` marks.
+// Returns the distance between neighbours in the densest packing of `marks` marks.
 [[nodiscard]] inline double densest_distance(double area, double marks) noexcept {
     return std::sqrt(2.0 / std::sqrt(3.0) * area / marks);
 }
 
-// Returns the way from 0 to the middle of the gap between the points around it, in a plane. It climbs the distance to
-// the nearest point: first away from that point, then between the two nearest, from one Voronoi vertex to the next. It
-// ends where that distance is `wanted` or at a maximum; the way is 0 if it would lead beyond `farthest`.
+// Returns a move from 0 into the middle of the gap between the points around it, in a plane. It increases the distance
+// to the nearest point: first away from that point, then between the two nearest points, from one Voronoi vertex to the
+// next. It ends where the distance is `wanted`, or at a maximum. If the move would be longer than `farthest`, it
+// returns 0.
 [[nodiscard]] glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double farthest) noexcept;
 
-// Positions are relative to the candidates' grid.origin, and near the surface.
+// The marks in order. Positions are relative to the grid.origin of the candidates, and near the surface.
 using OrderedMarks = base::Array<OrderMark>;
 
-// Orders `wanted` marks, or as many as have distinct places. Works in place and reorders the candidates.
+// Orders `wanted` marks, or fewer if there are not enough distinct places. It works in place and changes the order of
+// the candidates.
 [[nodiscard]] OrderedMarks progressive_order(const marks::Site& site, Candidates& candidates, std::int64_t wanted);
 
 } // namespace hrbfnpr::stipples

@@ -18,7 +18,8 @@ using W = hn::Vec<F>;
 
 HWY_INLINE std::int64_t lanes() { return static_cast<std::int64_t>(hn::Lanes(F())); }
 
-// Each product and each sum is rounded: a fused multiply-add, which not all targets have, would give other bits.
+// Each product and each sum is rounded separately, because a fused multiply-add gives different bits and does not exist
+// on all targets.
 HWY_INLINE W dot(W ax, W ay, W az, W bx, W by, W bz) {
     return hn::Add(hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by)), hn::Mul(az, bz));
 }
@@ -42,7 +43,7 @@ struct MarkInLanes {
     W x, y, z, normal_x, normal_y, normal_z;
 };
 
-// One vector of a group's candidates.
+// A vector of a group's candidates.
 struct Lanes {
     HWY_INLINE Lanes(OrderGroup& of, std::int64_t first)
         : group(of), at(first), x(load(OrderGroup::x)), y(load(OrderGroup::y)), z(load(OrderGroup::z)),
@@ -60,7 +61,7 @@ struct Lanes {
         const W own_y = coordinate<10>(normal);
         const W own_z = coordinate<20>(normal);
         const W turn = dot(own_x, own_y, own_z, mark.normal_x, mark.normal_y, mark.normal_z);
-        if (on_surface) { // the way through both tangent planes
+        if (on_surface) { // The length of the way through both tangent planes.
             const W here = dot(way_x, way_y, way_z, own_x, own_y, own_z);
             const W there = dot(way_x, way_y, way_z, mark.normal_x, mark.normal_y, mark.normal_z);
             const W both = hn::Mul(hn::Set(d, -2.0F), hn::Mul(here, there));
@@ -87,7 +88,8 @@ struct Lanes {
     W energy, clearance;
 };
 
-// Some targets of Highway return the largest finite number as the minimum of lanes that are all infinite.
+// On some targets of Highway, the minimum of lanes that are all infinite is the largest finite number. This corrects
+// it.
 HWY_INLINE float infinite_beyond_most(float x) { return x < 3.4028234e38F ? x : __builtin_inff(); }
 
 // Keeps the lowest energy of each lane, and the first index that has it.
@@ -120,8 +122,8 @@ private:
     hn::Vec<I> at_;
 };
 
-// Calls visit(group, at, number) for each vector of lanes: it starts at place `at` of the group, and at `number` in the
-// block.
+// Calls visit(group, at, number) for each vector of lanes. `at` is its place in the group, and `number` its place in
+// the block.
 template <class Visit>
 HWY_INLINE void for_lanes(const OrderBlock& block, Visit&& visit) {
     for (std::int64_t g = 0; g < block.groups; ++g)

@@ -11,12 +11,12 @@
 namespace hrbfnpr::stipples {
 
 // Sixteen candidates of a cell. Each column is one cache line. Whole lines are read and written, because reading a part
-// of a line that was just written would stall.
+// of a line just after writing it would stall.
 struct alignas(64) OrderGroup {
     static constexpr std::int64_t size = 16;
     // x, y, z; the normal's bits (packed_normal); the energy, a sum of (1 - s / reach^2)^4 over the marks on the same
-    // side at squared distance s; the clearance, the squared distance to the nearest of these marks. A free place has
-    // an infinite energy and a clearance of -1.
+    // side at squared distance s; the clearance, the squared distance to the nearest of these marks. A place without a
+    // candidate has an infinite energy and a clearance of -1.
     enum Column : std::int64_t { x, y, z, normal, energy, clearance, columns };
 
     float number[columns][size];
@@ -39,16 +39,16 @@ struct OrderBlock {
 
 struct OrderMark {
     float position[3];
-    float normal; // packed
+    float normal; // packed by packed_normal()
 };
 
 // Normals whose cosine is below this belong to opposite sides: marks see each other over a crease, but not through a
 // thin sheet.
 inline constexpr float least_side_cosine = -0.3F;
 
-// Packs ten bits per coordinate, which is enough to tell sides apart and for a tangent plane.
+// Packs a normal into ten bits per coordinate. This is enough to distinguish sides and to define a tangent plane.
 [[nodiscard]] float packed_normal(const float (&normal)[3]) noexcept;
-// An unpacked normal has about this length.
+// The approximate length of an unpacked normal.
 inline constexpr float unpacked_length = 511.5F;
 inline void unpack_normal(float packed, float (&normal)[3]) noexcept {
     const auto bits = __builtin_bit_cast(std::uint32_t, packed);
@@ -81,7 +81,7 @@ struct OrderLoops {
 
 void copy_place(const OrderBlock& from, std::int64_t i, const OrderBlock& to, std::int64_t k) noexcept;
 // Resets the first `count` places to zero energy and infinite clearance. The other places become free, with numbers
-// that give no NaN.
+// that do not lead to NaN.
 void forget_marks(const OrderBlock& block, std::int64_t count) noexcept;
 
 [[nodiscard]] OrderLoops order_loops(base::InstructionSet set) noexcept;

@@ -39,25 +39,26 @@ struct PlacementOrder {
     explicit PlacementOrder(base::Memory& memory) noexcept : mark(memory), sweep(memory), step(memory) {}
 
     OrderedMarks mark;
-    base::Array<std::int64_t> sweep; // where each sweep's marks begin
-    base::Array<std::uint8_t> step;  // the step of its sweep in which each mark was placed
+    base::Array<std::int64_t> sweep; // for each sweep: the index of its first mark
+    base::Array<std::uint8_t> step;  // for each mark: the step of its sweep in which it was placed
 };
 
 constexpr std::int32_t slots_of_cell = 5;
 
-// Marks are stored in their cells, so that the marks around a place are in few cache lines: two per cell.
+// A cell with its marks. Marks are stored in cells, two per cell, so that the marks around a place are in few cache
+// lines.
 struct alignas(64) StageCell {
-    std::int64_t group; // where the cell's candidates begin
+    std::int64_t group; // the group in which the cell's candidates begin
     std::int32_t groups;
-    std::int32_t best;  // the open candidate with the lowest energy; -1 if none is open
-    std::int32_t marks; // the number of used slots
-    std::int32_t more;  // the first mark without a slot, in Stage::extra; -1 if all marks have slots
-    glm::vec3 low;      // corner, relative to the grid's origin
+    std::int32_t best;  // the open candidate with the lowest energy, or -1 if none is open
+    std::int32_t marks; // the number of slots in use
+    std::int32_t more;  // the first mark without a slot, as an index of Stage::extra; -1 if all marks have slots
+    glm::vec3 low;      // the lower corner, relative to the origin of the grid
     std::array<OrderMark, slots_of_cell> slot;
 };
 struct ExtraMark {
     OrderMark mark;
-    std::int32_t next; // the next mark of the same cell, in Stage::extra; -1 for the last one
+    std::int32_t next; // the next mark of the same cell, as an index of Stage::extra; -1 for the last
 };
 struct Tile {
     std::int32_t begin, end; // the range of its cells
@@ -65,13 +66,13 @@ struct Tile {
 struct FreshMark {
     OrderMark mark;
     float energy;
-    std::int32_t cell; // -1 if the gap is too small
+    std::int32_t cell; // the cell of the mark; -1 if the gap is too small
     std::uint8_t step;
-    bool linked; // the mark has one of its cell's slots
+    bool linked; // true if the mark has one of its cell's slots
 };
-// The most marks that a tile gets in a sweep.
+// The largest number of marks in a tile in one sweep.
 constexpr std::int64_t most_fresh = 64;
-// The code of a cell's tile is the cell's code without this many bits of each coordinate.
+// The code of a tile is the code of any of its cells without the lowest bits of each coordinate, this many.
 constexpr unsigned tile_bits = 3;
 
 [[nodiscard]] glm::dvec3 vector(const float (&v)[3]) noexcept { return {v[0], v[1], v[2]}; }
@@ -84,7 +85,8 @@ constexpr unsigned tile_bits = 3;
     return vector(normal);
 }
 
-// Returns a bit for each of the 27 cells around a cell that has a point closer than `distance` to the place `in_cell`.
+// Returns a bit for each of the 27 cells around a cell. The bit is set if the other cell has a point closer than
+// `distance` to the place `in_cell`.
 [[nodiscard]] std::uint32_t reached(const glm::vec3& in_cell, float side, float distance) noexcept {
     float squared[3][3];
     for (int axis = 0; axis < 3; ++axis) {
@@ -103,8 +105,8 @@ constexpr unsigned tile_bits = 3;
 }
 
 // The cells of a stage with their candidates and marks. Tiles of 8 x 8 x 8 cells are processed in eight turns. No two
-// tiles of a turn are neighbours, because a mark changes candidates less than two cells outside its tile. Within a
-// turn, each tile is filled greedily, mark by mark.
+// tiles of a turn are neighbours, because a mark affects candidates up to two cells outside its tile. In a turn, each
+// tile is filled greedily, mark by mark.
 struct Stage {
     Stage(const marks::Site& of, const Candidates& candidates, const LastStageCells& last_stage_cells,
           const StageSettings& its)
@@ -122,7 +124,7 @@ struct Stage {
     [[nodiscard]] float inverse_squared_reach() const noexcept {
         return static_cast<float>(1.0 / (settings.reach * settings.reach));
     }
-    // Returns the code of the candidates' cell at a place relative to the grid's origin.
+    // Returns the code of the candidates' cell that contains a position, which is relative to the origin of the grid.
     [[nodiscard]] std::uint64_t code_at(const glm::dvec3& position) const noexcept {
         return geometry::morton_code(grid.cell_of(grid.origin + position));
     }
@@ -140,14 +142,14 @@ struct Stage {
         store_lowest(c, loops.lowest(block_of(c), clearance));
     }
 
-    // Calls visit(c) for all cells, on all threads.
+    // Calls visit(c) for all cells c, on all threads.
     template <class Visit>
     void for_cells(Visit&& visit) const {
         site.work.for_chunks(cell.size(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t c = begin; c < end; ++c) visit(c);
         });
     }
-    // Calls visit on the cells that have a point closer than `distance` to a place in cell c.
+    // Calls visit for each cell that has a point closer than `distance` to a place in cell c.
     template <class Visit>
     void for_reached(const glm::vec3& position, double distance, std::int32_t c, Visit&& visit) const {
         std::uint32_t left = reached(position - cell[c].low, side, static_cast<float>(distance));
@@ -160,7 +162,7 @@ struct Stage {
         for (std::int32_t k = 0; k < cell[c].marks; ++k) visit(cell[c].slot[static_cast<std::size_t>(k)]);
         for (std::int32_t at = cell[c].more; at >= 0; at = extra[at].next) visit(extra[at].mark);
     }
-    // Returns whether there was a free slot.
+    // Adds a mark to a slot of cell c. Returns false if no slot is free.
     bool link(const OrderMark& mark, std::int32_t c) noexcept {
         HRBFNPR_ASSERT(c >= 0 && c < cell.size());
         if (cell[c].marks == slots_of_cell) return false;
@@ -177,11 +179,11 @@ struct Stage {
     geometry::Bounds region; // relative to the grid's origin
     const LastStageCells& last_stage;
     StageSettings settings;
-    float side;          // the side of a cell of the stage, object units
-    std::size_t creased; // 1 if the surface has creases, else 0: the index of its loops
+    float side;          // the side of a cell of the stage, in units of the object
+    std::size_t creased; // The index of the loops to use: 1 if the surface has creases, else 0.
     OrderLoops loops;
 
-    CellMap number; // gives the number of a cell by its code
+    CellMap number; // finds the number of a cell by its code
     base::Array<StageCell> cell;
     base::Array<CellMap::Around> neighbour;
     base::Array<float> lowest;    // the energy of each cell's best candidate; infinite if none is open
@@ -192,7 +194,7 @@ struct Stage {
     base::Array<OrderGroup> own_group;
     base::Array<ExtraMark> extra;
 
-    base::Array<Tile> tile; // the tiles of the first turn, then those of the second, and so on
+    base::Array<Tile> tile; // the tiles of the first turn, then the tiles of the second, and so on
     std::array<std::int64_t, 9> turn{};
     base::Array<FreshMark> fresh;          // most_fresh places for each tile of the turn
     base::Array<std::int32_t> fresh_count; // the number of fresh marks in each tile of the turn
@@ -200,12 +202,13 @@ struct Stage {
 
 // ---- Making a stage
 
-// Gives each cell its candidates; returns the codes of the cells. If all candidates take part and the cells are the
-// same, the stage works in the candidates' own memory.
+// Puts the candidates into the cells of the stage. Returns the codes of these cells. If all candidates take part and
+// the cells are the same, no copy is made.
 [[nodiscard]] base::Array<std::uint64_t> take_candidates(Candidates& candidates, Stage& stage) {
     const StageSettings& settings = stage.settings;
     base::Array<std::uint64_t> code(stage.site.memory());
-    base::Array<std::int64_t> part(stage.site.memory()); // the first of the candidates' cells in each cell, and the end
+    // For each cell: the first of the candidates' cells inside it; and the end.
+    base::Array<std::int64_t> part(stage.site.memory());
     for (std::int64_t c = 0; c < candidates.cells(); ++c) {
         const std::uint64_t here = candidates.code[c] >> static_cast<unsigned>(3 * settings.level);
         if (!code.empty() && code.back() == here) continue;
@@ -231,7 +234,8 @@ struct Stage {
         for (std::int64_t from = part[c]; from < part[c + 1]; ++from)
             candidates.for_taken(from, settings.ticket_limit, visit);
     };
-    // A few large cells have as many candidates as many small ones, so few cells make a chunk.
+    // A large cell has as many candidates as many small cells, so the number of cells in a chunk depends on the cell
+    // size.
     const std::int64_t grain = std::clamp<std::int64_t>(code.size() / 64, 1, cells_a_task);
     stage.site.work.for_chunks(code.size(), grain, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t c = begin; c < end; ++c) {
@@ -256,7 +260,8 @@ struct Stage {
     return code;
 }
 
-// The turn of a tile is given by the parities of its coordinates, which are the last bits of its code.
+// Sorts the cells into tiles. The turn of a tile is given by the parities of its coordinates, which are the last bits
+// of its code.
 void find_tiles(const base::Array<std::uint64_t>& code, Stage& stage) {
     HRBFNPR_ASSERT(std::is_sorted(code.begin(), code.end()));
     const auto tile_of = [&](std::int64_t c) { return code[c] >> (3 * tile_bits); };
@@ -293,7 +298,7 @@ void link_all(const OrderedMarks& marks, Stage& stage) {
 
 void add_energy_of_marks(Stage& stage) {
     stage.for_cells([&](std::int64_t c) {
-        std::array<OrderMark, 64> near; // a larger number is processed in parts
+        std::array<OrderMark, 64> near; // More marks than this are processed in several parts.
         std::size_t count = 0;
         const auto add_energy = [&] {
             stage.loops.add_energy[stage.creased](stage.block_of(c), near.data(), static_cast<std::int64_t>(count),
@@ -335,8 +340,8 @@ glm::dvec2 ascent_direction(const glm::dvec2& p, const glm::dvec2& a, const glm:
     return glm::dot(across, p - 0.5 * (a + *b)) < 0.0 ? -across : across;
 }
 
-// The most marks that are examined around a candidate. In a plane about 20 marks have room within the distance that
-// counts.
+// The largest number of marks that are examined around a candidate. In a plane, about 20 marks fit within the relevant
+// distance.
 constexpr std::size_t most_around = 64;
 
 // The marks around a candidate, relative to it.
@@ -344,8 +349,8 @@ struct NearbyMarks {
     glm::vec3 start, normal; // the candidate's place, relative to the grid's origin, and its unit normal
     float farthest;          // squared; marks farther than this are ignored
     geometry::TangentFrame frame;
-    bool creased;      // the surface has creases
-    bool bent = false; // some mark has a very different normal, without a crease
+    bool creased;      // true if the surface has creases
+    bool bent = false; // true if a mark has a very different normal, but is not across a crease
     std::size_t count = 0;
     // In the tangent plane, as far away as in space or along the surface.
     std::array<glm::dvec2, most_around> tangent_offset;
@@ -429,16 +434,16 @@ void move_into_gap(const Stage& stage, const FreshMark* all, std::span<const std
 
 // ---- A sweep over the tiles
 
-// The radius that marks keep, and the energy below which candidates become marks.
+// The least distance between marks in a step (the radius), and the energy below which candidates become marks.
 struct SweepStep {
     double radius;
     float threshold;
 };
 
-// The most steps of a sweep, used for large orders.
+// The number of steps in a sweep of a large order, which is the most.
 constexpr std::size_t steps_of_sweep = 12;
 
-// Prefetches all that a mark near the cell will change, so that the loads overlap.
+// Prefetches everything that a mark in or near the cell will change, so that the loads overlap.
 void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
     const CellMap::Around& neighbour = stage.neighbour[cell];
     for (const std::int32_t there : neighbour)
@@ -471,13 +476,13 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
     HRBFNPR_ASSERT(tile.begin >= 0 && tile.begin < tile.end && tile.end <= stage.cell.size());
     std::int32_t count = 0;
     std::size_t unlinked_count = 0;
-    std::array<std::int32_t, most_fresh> unlinked; // indices of fresh marks that found no slot in their cell
+    std::array<std::int32_t, most_fresh> unlinked; // the indices of fresh marks that have no slot in their cell
     for (std::size_t step = 0; step < steps.size(); ++step) {
         const auto [radius, threshold] = steps[step];
         const double nearness = stage.settings.move_clearance;
         const auto enough = static_cast<float>(nearness * nearness * radius * radius);
-        // Smaller radii open more candidates. Candidates that later steps open are found when their cells next get a
-        // mark.
+        // A smaller radius opens more candidates. A candidate that only a later step opens is found the next time that
+        // its cell gets a mark.
         for (std::int32_t cell = tile.begin; step == 0 && cell < tile.end; ++cell)
             if (stage.floor[cell] < steps.back().threshold) stage.update_lowest(cell, enough);
         while (count < most_fresh) {
@@ -568,7 +573,8 @@ bool place_until(Stage& stage, double area, std::int64_t last, std::int64_t want
                  PlacementOrder& order, const base::Progress& progress) {
     double distance = stipple_tuning.kept_distance;
     float threshold = stipple_tuning.least_threshold;
-    bool missed = false; // the sweep missed candidates that only its later steps open, far from its new marks
+    // True if the sweep may have missed candidates that only its later steps open, far from its new marks.
+    bool missed = false;
     while (order.mark.size() < last) {
         progress.check();
         const auto before = static_cast<double>(order.mark.size());
@@ -683,7 +689,7 @@ glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double
         const double own = squared(at - a);
         const double missing = wanted * wanted - own;
         const double enough = missing > 0.0 ? std::sqrt(along * along + missing) - along : 0.0;
-        // The distance to where another point becomes as near: |at + t d - q| = |at + t d - a|.
+        // The distance at which another point is as near as the nearest: |at + t d - q| = |at + t d - a|.
         double distance = 2.0 * farthest;
         std::size_t third = none;
         for (std::size_t i = 0; i < around.size(); ++i) {
@@ -702,8 +708,8 @@ glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double
             edge[1] = third;
             continue;
         }
-        // Three points are at equal distances. This is a maximum if they surround the place. Otherwise continue along
-        // the edge of their triangle beyond which the place lies.
+        // Three points are equally near. If they surround the place, this is a maximum. Otherwise the move continues
+        // across that edge of their triangle beyond which the place lies.
         const glm::dvec2 b = around[edge[1]];
         const glm::dvec2 c = around[third];
         const double all = signed_area(a, b, c);

@@ -34,7 +34,7 @@ struct VisitedCell {
            cells.region.grown(0.5 * cells.grid.side).contains(cells.grid.centre(cell));
 }
 
-// Returns the distance of the centre of `next` from the surface, by the plane of the cell at `place`.
+// Returns the distance from the surface of the centre of `next`, by the plane of the cell at `place`.
 [[nodiscard]] double expected_at(const SurfaceCells& cells, const SurfaceCell& cell, const Cell& place,
                                  const Cell& next) noexcept {
     const glm::dvec3 way(static_cast<double>(next[0] - place[0]), static_cast<double>(next[1] - place[1]),

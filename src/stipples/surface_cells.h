@@ -16,30 +16,29 @@
 
 namespace hrbfnpr::stipples {
 
-// A cell with the linear approximation of f at its centre: f(x) /
-// grad f
-// ~ distance + normal . (x - centre).
+// A cell with the linear approximation of f at its centre: f(x) / |grad f| is about distance + normal . (x - centre).
 struct SurfaceCell {
-    std::uint64_t code; // geometry/morton.h
+    std::uint64_t code; // a Morton code, see geometry/morton.h
     double distance;    // NaN if there is no such plane
-    glm::dvec3 normal;  // unit; 0 if there is no plane
+    glm::dvec3 normal;  // unit vector; 0 if there is no plane
 };
 
 struct SurfaceCells {
     explicit SurfaceCells(base::Memory& memory) noexcept : cell(memory) {}
 
     geometry::CellGrid grid;
-    geometry::Bounds region;       // marks stay inside
-    double band = 0.0;             // the cells contain every point of the region within this distance of the surface
-    base::Array<SurfaceCell> cell; // by ascending code
+    geometry::Bounds region; // Marks stay inside this box.
+    double band = 0.0; // The cells contain each point of the region whose distance from the surface is at most this.
+    base::Array<SurfaceCell> cell; // sorted by code
 
     [[nodiscard]] double volume() const noexcept {
         return static_cast<double>(cell.size()) * grid.side * grid.side * grid.side;
     }
     [[nodiscard]] double half_diagonal() const noexcept { return 0.5 * std::sqrt(3.0) * grid.side; }
-    // Half the thickness of the layer that the cells fill, to first order.
+    // Returns half the thickness of the layer that the cells fill, to first order.
     [[nodiscard]] double reach() const noexcept { return half_diagonal() + band; }
-    // The area of the surface within about 10 %: the volume of the layer over its thickness.
+    // Returns the area of the surface with an error of about 10 %: the volume of the cells divided by the thickness of
+    // their layer.
     [[nodiscard]] double rough_area() const noexcept { return volume() / (2.0 * reach()); }
     [[nodiscard]] glm::dvec3 centre(std::int64_t number) const noexcept {
         HRBFNPR_ASSERT(number >= 0 && number < cell.size());
@@ -47,14 +46,14 @@ struct SurfaceCells {
     }
 };
 
-// Finds the cells of side `side`; the band is half a side.
+// Finds the cells with the side length `side`. The band is half a side.
 [[nodiscard]] SurfaceCells find_surface_cells(const marks::Site& site, const geometry::VecArray& seeds,
                                               const geometry::Bounds& region, double side);
 
-// The numbers of cells by their codes: a hash table of blocks of 4 x 4 x 4 cells.
+// Finds the number of a cell by its code: a hash table of blocks of 4 x 4 x 4 cells.
 class CellMap {
 public:
-    // Numbers of the 27 cells around a cell, the first coordinate running fastest; -1 where there is no such cell.
+    // The numbers of the 27 cells around a cell, or -1 where there is no cell. The first coordinate changes fastest.
     using Around = std::array<std::int32_t, geometry::neighbour_count>;
     static constexpr std::size_t centre_index = 13;
     static constexpr std::size_t step_along[3] = {1, 3, 9};
@@ -64,12 +63,13 @@ public:
     CellMap(base::Memory& memory, const base::Array<std::uint64_t>& codes);
     explicit CellMap(const SurfaceCells& cells);
 
-    // Returns -1 if no cell has that code.
+    // Returns the number of the cell with a code, or -1.
     [[nodiscard]] std::int32_t find(std::uint64_t code) const noexcept {
         const std::int32_t* const numbers = find_block(code / geometry::cells_of_block);
         return numbers == nullptr ? -1 : numbers[code % geometry::cells_of_block];
     }
-    // Cells of one block share their BlocksAround, so callers should ask in the order of codes.
+    // Blocks that were found for the last cell. Cells of the same block share them, so callers should ask in the order
+    // of codes.
     struct BlocksAround {
         std::uint64_t block = ~std::uint64_t{0};
         std::array<const std::int32_t*, geometry::neighbour_count> numbers{};
@@ -77,7 +77,7 @@ public:
     [[nodiscard]] Around around(std::uint64_t code, BlocksAround& blocks) const noexcept;
 
 private:
-    // The numbers of all cells of a block, in the order of their codes; null if the block has no cell.
+    // Returns the numbers of all cells of a block, in the order of their codes, or null if the block has no cell.
     [[nodiscard]] const std::int32_t* find_block(std::uint64_t block) const noexcept {
         if (slots_.empty()) return nullptr;
         const Slot& place = slots_[slot_of(block)];

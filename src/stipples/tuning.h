@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of the stipples. scripts/bench quality and points measure their effects;
-// docs/measurements.md reports them.
+// The tuning constants of stipples. scripts/bench quality and points measure their effects; docs/measurements.md has
+// the results.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@ namespace hrbfnpr::stipples {
 struct StippleTuning {
     // ---- The region and its cells (blue_noise.cpp, surface_cells.cpp)
 
-    // Marks lie in the box of the samples, grown by the spacing of the samples. The growth is clamped to these shares
-    // of the box's diagonal. Larger: open sheets extend farther beyond their samples, and other sheets of the function
-    // come in.
+    // Marks lie in the bounding box of the samples, enlarged by the spacing of the samples. The two constants bound the
+    // enlargement, as shares of the box's diagonal. Larger: open sheets extend farther beyond their samples, and other
+    // sheets of the function come in.
     double least_margin = 0.03;
     double most_margin = 0.10;
-    // A cell is at most the region's diagonal divided by this wide. Larger: finer details are found, and few marks get
-    // more cells.
+    // The largest side of a cell is the region's diagonal divided by this. Larger: finer details are found, and there
+    // are more cells if there are few marks.
     double fewest_in_diagonal = 96.0;
-    // A cell is at least the diagonal divided by this wide. Larger: smaller surfaces are drawn in large boxes, with
-    // more memory.
+    // The smallest side of a cell is the diagonal divided by this. Larger: smaller surfaces can be drawn in large
+    // boxes, with more memory.
     double most_in_diagonal = 4096.0;
     // The cells are found again, at most `cover_rounds` times, until the marks ask for cells wider than
     // `fine_side_share` times the present side. Larger: the areas of small surfaces in large boxes are more accurate,
@@ -31,22 +31,23 @@ struct StippleTuning {
     double missed_surface_step = 0.25;
     // The side of a cell, in spacings of the marks. Larger: fewer cells, each with more candidates to look at.
     double cell_spacings = 2.2;
-    // A surface fewer than this many cells wide is not drawn. Larger: small surfaces in large boxes are refused.
+    // A surface fewer than this many cells wide is refused. Larger: small surfaces in large boxes are refused.
     std::int64_t fewest_across = 8;
-    // A cell's plane is accepted if it differs from the function at a nearby place by less than this, in sides. Larger:
-    // fewer evaluations, but sheets close to others are missed.
+    // The plane of a cell is accepted if its error at a nearby place is below this, in sides. Larger: fewer
+    // evaluations, but sheets close to others are missed.
     double plane_error = 0.1;
-    // The flood enters a neighbour if the plane passes it at most this far beyond the band, in sides. Larger: more
-    // cells are evaluated that turn out to be away from the surface.
+    // The flood enters a neighbour if the plane is at most this far outside the band there, in sides. Larger: more
+    // cells are evaluated that are not on the surface.
     double flood_slack = 0.3;
 
     // ---- Candidates (candidates.cpp)
 
-    // Candidates per mark, and the least number of candidates. Larger: more even, in proportionally more time.
+    // The number of candidates for each mark, and the least number of candidates. Larger: more even, in proportionally
+    // more time.
     double candidates_per_mark = 3.5;
     std::int64_t fewest_candidates = 6000;
-    // Layer candidates per plane candidate: layer candidates are random and leave gaps. Larger: more even where the
-    // surface bends.
+    // The density of layer candidates divided by that of plane candidates. Layer candidates are random, so they leave
+    // gaps. Larger: more even where the surface bends.
     double layer_density = 1.4;
     // Candidates are drawn in at most this many rounds, until their number is `candidates_share` times the wanted one.
     // Larger: the number is closer to the wanted one where the function is not a distance.
@@ -54,10 +55,10 @@ struct StippleTuning {
     double candidates_share = 0.85;
     // The most trials per wanted candidate. Larger: more time is spent where planes and surface disagree.
     double most_trials = 256.0;
-    // A flat cell's normal has at least this cosine with the normals of the cells beside it. Larger: fewer candidates
-    // are drawn on planes, which needs no evaluation.
+    // The cosine between the normal of a flat cell and the normals of the cells beside it is at least this. Larger:
+    // fewer candidates come from planes, which need no evaluation.
     double flat_cosine = 0.97;
-    // A plane that passes a cell at this distance, in sides, is trusted to miss the surface there. Larger: more
+    // If the plane is at least this far from a cell, in sides, the surface does not pass through the cell. Larger: more
     // evaluations.
     double miss_distance = 0.25;
     // The most candidates per evaluated point: its projection, and others around that. Larger: fewer evaluations, less
@@ -81,26 +82,26 @@ struct StippleTuning {
 
     // ---- The progressive order (progressive_order.cpp)
 
-    // The least distance between marks, in neighbour distances of the densest packing of as many marks. Larger: more
+    // The least distance between marks, in distances of the densest packing of the same number of marks. Larger: more
     // even, and more candidates fail.
     double kept_distance = 0.70;
     // If no place is left, the distance is multiplied by this, down to `least_distance`. It goes lower only after all
     // candidates were looked at again. Larger: closer to the largest possible distance, in more sweeps.
     double distance_factor = 0.98;
     double least_distance = 0.65;
-    // A mark's energy reaches this far, in distances of the densest packing at the end of its stage. Larger: low
-    // frequencies are weaker, and each mark changes more candidates.
+    // The distance up to which a mark has energy, in distances of the densest packing at the end of its stage. Larger:
+    // low frequencies are weaker, and each mark changes more candidates.
     double energy_reach = 1.8;
     // The cells of the last stage are at least this share of that reach wide. Larger: wider cells.
     double least_side_share = 0.85;
     // Each step of a sweep aims at a number of marks that is larger by this factor. Larger: fewer sweeps, less even.
     double step_growth = 1.015;
-    // In sweeps of many steps, each step multiplies the energy threshold by `threshold_growth`. The threshold grows
-    // about with the power `threshold_power` of the number of marks (from 0.06 to 2 in a stage, measured). Larger:
+    // In sweeps of many steps, the energy threshold grows by `threshold_growth` from step to step. It grows about with
+    // the power `threshold_power` of the number of marks; in a stage, it was measured to grow from 0.06 to 2. Larger:
     // marks are placed sooner, in fuller places.
     float threshold_growth = 1.038F;
     double threshold_power = 2.5;
-    // Below this energy all places count as equally empty. Larger: the first marks of a stage are less even.
+    // All places with less energy than this count as equally empty. Larger: the first marks of a stage are less even.
     float least_threshold = 0.05F;
     // If a sweep adds less than the share `poor_sweep` of the expected marks, the threshold rises to the lowest energy
     // times `threshold_rise`, or times `last_threshold_rise` once the stage is filled to `nearly_full`. Larger: fewer
@@ -109,12 +110,12 @@ struct StippleTuning {
     float threshold_rise = 1.06F;
     float last_threshold_rise = 1.02F;
     double nearly_full = 0.97;
-    // From this number of marks on, a sweep has many steps, because each sweep takes all candidates through the
+    // From this number of marks on, a sweep has many steps, because each sweep loads all candidates into the
     // processor's caches. Larger: more sweeps, more even.
     double marks_for_many_steps = 2000.0;
-    // A stage of few marks has this many candidates per mark. Larger: more even prefixes, more time.
+    // A stage with few marks has this many candidates for each mark. Larger: more even prefixes, more time.
     double early_candidates = 12.0;
-    // A candidate may move into its gap if its distance from marks is at least this share of the kept distance.
+    // A candidate may move into its gap if its distance from marks is at least this share of the least distance.
     // Smaller: more gaps are tried in vain.
     double move_clearance = 0.8;
     // It aims at a place that is this factor farther from marks than the kept distance. Larger: fewer moves fail by
@@ -136,22 +137,23 @@ struct StippleTuning {
     // distance, or if their normals have a cosine below `wandered_cosine`. Smaller: more marks are looked at again.
     double wandered_distance = 0.04;
     double wandered_cosine = 0.95;
-    // Marks closer than this, in distances of the densest packing, are too close to a wandered one. Larger: more gaps.
+    // A mark is too close to a wandered mark if their distance is below this, in distances of the densest packing.
+    // Larger: more gaps.
     double least_apart = 0.66;
 
     // ---- Density (density.cpp)
 
-    // This many probe marks give the mean density, up to the factor `mean_error`. With more probes a smaller factor is
-    // enough.
+    // The number of marks from which the mean density is estimated, with an error of up to the factor `mean_error`.
+    // With more marks a smaller factor is enough.
     std::int64_t probes = 2048;
     double mean_error = 1.06;
-    // The even order has at most this many times the marks that remain. Larger: more marks where the mean density is
-    // low, in more time.
+    // The even order has at most this many times as many marks as are kept. Larger: more marks where the mean density
+    // is low, in more time.
     double most_excess = 16.0;
 };
 inline constexpr StippleTuning stipple_tuning;
 
-// The number of cells or points for one task of a parallel loop, and of points for one call of an evaluation.
+// The numbers of cells or of points for a task of a parallel loop, and of points for a call that evaluates f.
 inline constexpr std::int64_t cells_a_task = 512;
 inline constexpr std::int64_t points_a_task = 4096;
 inline constexpr std::int64_t points_a_batch = 262144;
