@@ -111,8 +111,7 @@ void check(const hrbfnpr_context_desc& desc) {
 
 void release_context(const hrbfnpr_context* context) noexcept {
     if (context == nullptr || !context->remove_reference()) return;
-    // The memory of the context itself is freed by a temporary Memory. The context's own Memory is destroyed before,
-    // and does not count it.
+    // A temporary Memory frees the context, because the context's own Memory is part of it and is already destroyed.
     base::Memory memory(context->allocate, context->deallocate, context->allocator_user);
     context->~hrbfnpr_context();
     memory.deallocate(const_cast<hrbfnpr_context*>(context), sizeof(hrbfnpr_context));

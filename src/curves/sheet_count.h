@@ -25,12 +25,12 @@ public:
         double nearest = 0.0; // the approximate distance from `to` to the nearest crossing, if there is one
         bool certain = true;  // false if the segment grazes the surface, or if the two ways of counting disagree
     };
-    // Counts the crossings of the open segments from[i] to to[i] with f = 0 inside the mesh. `to` may itself lie on the
-    // surface: crossings nearer to it than clear[i] are not counted. answer is resized.
+    // Counts the crossings of the open segments from[i] to to[i] with f = 0 inside the mesh. `to` may lie on the
+    // surface: crossings closer to it than clear[i] are not counted. Resizes `answer`.
     //
-    // Triangles give the spans in which to look; in these, crossings are counted both by f with its slope along the
-    // segment and by triangles. Near an end of the segment only f is used, since the triangles are not near enough to
-    // the surface.
+    // Triangles give the spans of a segment that are searched. In these, crossings are counted in two ways: by f and
+    // its slope along the segment, and by triangles. Near an end of the segment only f is used, because triangles are
+    // not close enough to the surface there.
     void count(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& from,
                const geometry::VecArray& to, const base::Array<double>& clear, base::Array<Result>& answer) const;
 

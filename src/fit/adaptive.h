@@ -70,7 +70,7 @@ struct AdaptiveSettings {
 struct CandidateOptions {
     double tolerance = 0.0;      // 0: all samples are candidates
     double least_distance = 0.0; // No new centre is nearer to another centre than this.
-    std::int64_t most = 0;       // the number of centres to add at most
+    std::int64_t most = 0;       // the largest number of centres to add
     // Set for noisy samples. The mean error over a sample and these neighbours is then used, and the typical sample of
     // the neighbourhood (typical.h) is added instead of the sample.
     const geometry::Neighbours* neighbours = nullptr;

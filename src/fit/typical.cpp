@@ -7,7 +7,7 @@
 namespace hrbfnpr::fit {
 namespace {
 
-constexpr std::size_t most_neighbours = 8; // a sample represents at most this many of its neighbours
+constexpr std::size_t most_neighbours = 8; // The largest number of neighbours that a sample represents.
 constexpr std::int64_t spacings_a_task = 512;
 
 // Returns the sum of two mean angles between a sample and its neighbours: of its normal to theirs, and of its position

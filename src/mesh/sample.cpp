@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random places are chosen by the running sum of areas, and uniformly within the face. Even samples are random places
-// in farthest-point order. At a border, a row of places at a constant distance from it replaces the even ones.
+// in farthest-point order. Near a border, a row of places at a constant distance from the border replaces the even
+// samples.
 #include "mesh/sample.h"
 
 #include "base/random.h"
@@ -16,7 +17,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-// Calls visit(face, k) for each side of a face beyond which there is no other face.
+// Calls visit(face, k) for each side of a face that has no other face.
 template <class Visit>
 void for_border_sides(const Mesh& mesh, Visit&& visit) {
     for (std::int64_t face = 0; face < mesh.faces(); ++face)
@@ -29,8 +30,8 @@ void for_border_sides(const Mesh& mesh, Visit&& visit) {
     return glm::distance(mesh.vertex[t[k]], mesh.vertex[t[(k + 1) % 3]]);
 }
 
-// Returns places along the borders, `step` apart. Instead of a normal they have the direction into the mesh. Borders
-// shorter than `shortest` have no places.
+// Returns places along the borders, `step` apart. Their normals are replaced by directions into the mesh. Borders
+// shorter than `shortest` get no places.
 [[nodiscard]] MeshSamples border_places(const Mesh& mesh, double step, double shortest) {
     base::Memory& memory = mesh.vertex.memory();
     UnionFind borders(memory, mesh.vertex.size());
@@ -42,7 +43,7 @@ void for_border_sides(const Mesh& mesh, Visit&& visit) {
         length_of[borders.find(mesh.triangle[face][k])] += side_length(mesh, face, k);
     });
     MeshSamples places(memory);
-    double along = 0.5 * step; // the way to the next place
+    double along = 0.5 * step; // the distance along the border to the next place
     for_border_sides(mesh, [&](std::int64_t face, std::size_t k) {
         if (length_of[borders.find(mesh.triangle[face][k])] < shortest) return;
         const auto p = mesh.corners(face);
@@ -55,7 +56,7 @@ void for_border_sides(const Mesh& mesh, Visit&& visit) {
     return places;
 }
 
-// Returns the number of the point nearest to a place, or -1 if there are no points.
+// Returns the index of the point nearest to a place, or -1 if there are no points.
 [[nodiscard]] std::int64_t nearest_in(const geometry::PointTree& tree, const glm::dvec3& p) {
     if (tree.size() == 0) return -1;
     std::int64_t at = -1;
@@ -142,7 +143,7 @@ MeshSamples end_samples(const base::Work& work, const Mesh& mesh, const FaceTree
         const std::int64_t at = nearest_in(row_tree, border.position[i]);
         return at >= 0 && glm::distance(row.position[at], border.position[i]) < mesh_tuning.covered * inset;
     };
-    // Where there is no room for a row, for example on a narrow strip, border places are added instead.
+    // Where there is no space for a row, for example on a narrow strip, places on the border are used instead.
     for (std::int64_t i = 0; i < border.position.size(); ++i)
         if (!has_row(i)) add_to_row(border.position[i], border.face[i]);
     base::Array<std::uint8_t> replaced(work.memory, even.position.size());

@@ -8,150 +8,147 @@
 namespace hrbfnpr::mesh {
 
 struct MeshTuning {
-    // Loops over faces, vertices and samples check for cancellation after this many. Larger: calls react later to a
-    // cancellation.
+    // Loops over faces, vertices and samples check for cancellation after this many elements. Larger: cancelled calls
+    // end later.
     std::int64_t at_once = 4096;
 
     // ---- Vertices and faces
 
-    // Border vertices at most this far apart are merged, in diagonals. Larger: narrow slits are closed.
+    // Two border vertices are merged if their distance is at most this, in diagonals. Larger: narrow slits are closed.
     double border_rounding = 1e-6;
-    // The rounding error of coordinates, as a share of the largest one: that of files in single precision. Larger: more
-    // faces are slivers.
+    // The assumed rounding error of coordinates, as a share of the largest coordinate. It is that of single precision.
+    // Larger: more faces are slivers.
     double coordinate_rounding = 0x1p-22;
-    // The largest error that is assumed for the angle of a face about an edge, in radians. Larger: more faces lie on
-    // each other.
+    // The largest assumed error for the angle of a face about an edge, in radians. Larger: more faces coincide.
     double most_angle_rounding = 0.01;
     // A face is a sliver if its height is at most this share of its longest side, and at most the rounding error.
-    // Larger: small faces are taken for slivers.
+    // Larger: small faces count as slivers.
     double flattest = 1e-3;
-    // Slivers may lie beside others, so they are split in rounds. The slivers left after this many rounds stay. Larger:
-    // longer rows are split.
+    // Slivers may be beside other slivers, so they are split in rounds, at most this many. Larger: longer rows are
+    // split.
     int most_sliver_rounds = 32;
 
     // ---- Orientation
 
-    // An open component has an inside if its holes have less than this share of its area. Larger: open shapes such as
-    // bowls are turned, too.
+    // An open component has an inside if the area of its holes is less than this share of its area. Larger: open shapes
+    // such as bowls are turned, too.
     double small_holes = 0.25;
-    // Rays from this many faces of a component tell whether it lies inside another. Larger: slower, and fewer parts
-    // that stick out a little are left out.
+    // The number of faces of a component from which rays test whether it lies inside another component. Larger: slower,
+    // and fewer parts that stick out a little are left out.
     std::int64_t tested_faces = 64;
-    // At a vertex with more corners than this, a normal is the mean over about this many corners. Larger: slower on
-    // fans.
+    // At a vertex with more corners than this, normals are means over about this many corners. Larger: slow on fans.
     std::int64_t most_corners = 256;
-    // A place is on a side of a face if the opposite corner's share in it is at most this. Larger: more places are on
-    // the border.
+    // A place is on a side of a face if its barycentric coordinate for the opposite corner is at most this. Larger:
+    // more places are on the border.
     double on_side = 1e-9;
 
     // ---- Samples that end at the border, in lengths of end_samples()'s `closest`
 
-    // The row of places along a border is this far inside it: by measurement, s of surface/support.h is then 1.5 on the
-    // border. Larger: the surface ends short of the border.
+    // The distance from the border to the row of places inside it, in units of end_samples()'s `closest`. By
+    // measurement, s of surface/support.h is then 1.5 on the border. Larger: the surface ends before the border.
     double row_inset = 0.943;
-    // Places of the row are this far apart. Larger: the end is less straight.
+    // The distance between the places of the row, in units of `closest`. Larger: the end is less straight.
     double row_step = 0.15;
-    // Borders shorter than this many circumferences of a circle of radius `closest` are holes that stay closed.
+    // Shorter borders belong to holes that stay closed; in circumferences of a circle of radius `closest`.
     double shortest_border = 1.5;
-    // A place belongs to the row only if it is at least this many insets from the border. Larger: sharp corners have
-    // none.
+    // A place is in the row only if it is at least this many insets from every border. Larger: no places in sharp
+    // corners.
     double least_inset = 0.9;
-    // The row replaces even samples that are within this many insets from the border. Larger: a gap beside the row.
+    // The row replaces even samples whose distance from the border is at most this many insets. Larger: a gap beside
+    // the row.
     double replaced = 1.7;
-    // The row covers a place of the border if one of the row's places is nearer than this many insets.
+    // A place of the border is covered if a place of the row is within this many insets.
     double covered = 2.0;
     // The number of candidates for each even sample. Larger: slower, more even.
     std::int64_t candidates_each = 4;
 };
 inline constexpr MeshTuning mesh_tuning;
 
-// The constants of plan.cpp, in the order of its functions. Set by scripts/bench edges, on figures, machine parts and
+// The constants of plan.cpp, in the order of its functions. Set by scripts/bench edges on figures, machine parts and
 // balls of 80 to 300 000 faces, and by pictures of open and closed files.
 struct PlanTuning {
     // ---- Edges that stand out. Set on the models of scripts/bench edges --only=verdict.
 
-    // A shape has edges if at least this share of its edges beyond the angle stands out, by length. Larger: more meshes
-    // are smooth.
+    // A shape has edges if at least this share of the length of edges that bend stands out. Larger: more meshes are
+    // smooth.
     double enough_standing = 0.5;
-    // A shape is a polyhedron if at least this share of its edges beyond the angle, by length, has two faces that are
-    // far from a round surface. Larger: fewer rocks have edges.
+    // A shape is a polyhedron if at least this share of the length of edges that bend has two faces that are far from a
+    // round surface. Larger: fewer rocks have edges.
     double enough_coarse = 0.25;
-    // The least length of the edges beyond the angle, in diagonals. Larger: shapes with a short edge are smooth.
+    // A shape has edges only if the edges that bend are at least this long together, in diagonals. Larger: shapes with
+    // a short edge are smooth.
     double shortest_edges = 0.05;
-    // A mesh has creases if its components with creases hold at least this share of its area. So tiny parts of a scan
-    // do not give the whole scan edges. Larger: smooth figures on blocks need larger blocks.
+    // A mesh has creases if its components with creases have at least this share of its area. Tiny parts of a scan then
+    // do not give edges to the whole scan. Larger: smooth figures on blocks need larger blocks.
     double enough_area = 0.1;
-    // Faces farther than this share of `far` from a round surface stay flat. Larger: fewer faces stay flat.
+    // Faces stay flat if they are farther from a round surface than this share of `far`. Larger: fewer faces stay flat.
     double too_coarse = 0.8;
-    // An edge of a polyhedron is sharp if its faces are coarse and it bends by more than this share of the crease
-    // angle. Larger: fewer of its edges are sharp.
+    // On a polyhedron, an edge between coarse faces is sharp if it bends by more than this share of the crease angle.
+    // Larger: fewer of its edges are sharp.
     double flat_faces = 0.05;
 
     // ---- Coarse faces
 
-    // The normals of a file say nothing about its edges if fewer edges than this bend.
+    // If fewer edges than this bend, the normals of a file say nothing about edges.
     std::int64_t fewest_of_file = 8;
-    // The normals of a file say that all edges are sharp if at least this share is, and that none is if at most 1 minus
-    // this share is. Larger: more files have some sharp edges.
+    // The normals of a file say that all edges are sharp if at least this share is sharp, and that none is if at most 1
+    // minus this share is. Larger: more files have some sharp edges.
     double nearly_all = 0.98;
-    // Meshes with at most this many faces may be divided. Larger: finer meshes are examined, in more time.
+    // A mesh is divided only if it has at most this many faces. Larger: finer meshes are examined, in more time.
     std::int64_t most_coarse = 50'000;
     // A mesh whose mean edge is shorter than this, in diagonals, is not divided: its faces bend because of noise.
     // Larger: fewer meshes are divided.
     double coarse_edge = 0.025;
-    // The largest number of subdivision rounds. Each round makes four times as many faces.
+    // The largest number of subdivision rounds. Each round multiplies the number of faces by four.
     std::int32_t most_rounds = 3;
-    // No round surface goes through the vertices if the division moves them by more than this factor times the bulge of
-    // the faces. Figures and rings reach a factor of 1.2 at most. Larger: more meshes with long faces are divided.
+    // If a division moves vertices by more than this factor times the bulge of the faces, no round surface goes through
+    // the vertices. The factor is at most 1.2 on figures and rings. Larger: more meshes with long faces are divided.
     double most_moved = 1.5;
-    // No round surface goes through the vertices if the division moves places between the vertices by more than this
-    // factor times the bulge of the faces. The factor is 1.8 for a ball of 156 faces, and 2.7 at most for figures.
+    // The same for places between the vertices. The factor is 1.8 for a ball of 156 faces, and at most 2.7 for figures.
     double most_raised = 3.0;
-    // If all faces are flat, edges that bend by more than this many degrees are sharp. Larger: fewer edges are sharp.
+    // If all faces are flat, edges that bend by more than this are sharp, in degrees. Larger: fewer edges are sharp.
     double flat_bend = 5.0;
 
     // ---- Parts
 
-    // Far parts are dropped only if all of them together have at most this share of the area. Larger: more parts are
-    // dropped.
+    // Far parts are dropped only if together they have at most this share of the area. Larger: more parts are dropped.
     double lost_area = 0.001;
-    // A part is dropped only if it is farther from all other parts than (this - 1) times their size. Larger: fewer
-    // parts are dropped.
+    // A part is dropped only if its distance from all other parts is more than (this - 1) times their size. Larger:
+    // fewer parts are dropped.
     double lost_distance = 4.0;
-    // Parts with at most this many faces, and at most this share of the total area, are too small for a separate
-    // surface. Larger: more faces are removed where three meet in an edge.
+    // A part is too small for a separate surface if it has at most this many faces, and at most a share of the total
+    // area. Larger: more faces are removed where three faces share an edge.
     std::int64_t flap_faces = 2;
     double flap_area = 2e-4;
-    // Meshes with more faces are one group. The first limit holds for meshes of one component (connected by vertices),
-    // the second for all others. Larger: more meshes are grouped, in more time.
+    // Meshes with more faces than this are one group. The first limit is for meshes of one component, the second for
+    // other meshes. Larger: more meshes are grouped, in more time.
     std::int64_t most_faces_of_one = 100'000;
     std::int64_t most_faces = 300'000;
 
     // ---- How near the surface is to come
 
-    // No place may be farther off than this many tolerances, unless the caller gives another limit. Larger: fewer
-    // centres in details.
+    // The largest allowed distance, in tolerances, unless the caller gives it. Larger: fewer centres in details.
     double far = 5.0;
 
     // ---- Where the surface ends
 
-    // The lower and upper bounds of EndPlan::off, in diagonals. Larger: more of the surface beyond a mesh stays.
+    // The bounds of EndPlan::off, in diagonals. Larger: more of the surface beyond a mesh is kept.
     double least_off = 0.009;
     double most_off = 0.015;
-    // The lower bound of EndPlan::off where the fit is exact, in diagonals. Larger: narrow strips end later.
+    // The lower bound of EndPlan::off if the fit is exact, in diagonals. Larger: narrow strips end later.
     double least_off_exact = 0.001;
-    // A fit is exact if it is at most this far from the mesh, in diagonals, as fits of planes are.
+    // A fit is exact if its distance from the mesh is at most this, in diagonals. Fits of planes are exact.
     double exact = 2e-4;
-    // The lower bound as a share of a strip's width. It leaves room for a row of places on either side of the strip and
-    // a gap between the rows.
+    // The lower bound as a share of a strip's width. It leaves space for a row of places on either side of the strip,
+    // and for a gap between the rows.
     double of_width = 0.2;
-    // The lower bound in mean distances of the places. Larger: the surface ends farther beyond the last places.
+    // The lower bound in mean distances between places. Larger: the surface ends farther beyond the last places.
     double of_places = 1.5;
-    // Between the bounds, EndPlan::off is this factor times the 99th percentile of the mesh's distances from the
-    // surface, which is large where faces are coarse. For a fit to samples it is this factor times their spacing,
-    // because the fit rounds edges off by that much.
+    // Between its bounds, EndPlan::off is this factor times the 99th percentile of the mesh's distances from the
+    // surface, which is large if faces are coarse. For a fit to samples, it is this factor times the spacing of the
+    // samples, because the fit rounds edges by about this distance.
     double of_coarse_faces = 1.5;
-    // The end of a mesh is found from this many places. Larger: the end is more exact, and takes longer to find.
+    // The number of places that show where a mesh ends. Larger: the end is more exact, in more time.
     std::int64_t places = 40000;
 };
 inline constexpr PlanTuning plan_tuning;

@@ -29,7 +29,7 @@ namespace {
 // ---- Reading
 
 [[nodiscard]] glm::dvec3 vertex_at(const base::InView& vertices, std::int64_t i) noexcept {
-    // -0 is the same place as 0.
+    // Adding 0.0 turns -0 into 0, so that both are the same place.
     return {vertices.get(i, 0) + 0.0, vertices.get(i, 1) + 0.0, vertices.get(i, 2) + 0.0};
 }
 
@@ -42,7 +42,7 @@ void check_vertex(const glm::dvec3& p, std::int64_t vertex, std::int64_t face) {
                  static_cast<long long>(vertex), static_cast<long long>(face), p[c]);
 }
 
-// Returns the triangles, with the caller's vertex numbers.
+// Returns the triangles with the vertex numbers of the caller.
 [[nodiscard]] base::Array<Triangle> read_triangles(const base::Work& work, const MeshInput& input) {
     const std::int64_t vertices = input.vertices.count;
     base::Array<Triangle> triangle(work.memory);
@@ -77,7 +77,8 @@ public:
     HashNumbering(base::Memory& memory, std::int64_t most)
         : place_(memory, static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(2 * most + 16)))) {}
 
-    // Returns the number of the thing for which same(number) is true. A new thing gets the number `next`.
+    // Returns the number of a thing that is already known, for which same(number) is true. A new thing gets the number
+    // `next`.
     template <class Same>
     [[nodiscard]] std::int64_t find_or_add(std::uint64_t hash, std::int64_t next, Same&& same) noexcept {
         const auto mask = static_cast<std::uint64_t>(place_.size() - 1);
@@ -92,14 +93,14 @@ public:
     }
 
 private:
-    base::Array<std::int32_t> place_; // a number plus 1; 0: free
+    base::Array<std::int32_t> place_; // for each place of the table: a number plus 1, or 0 if the place is free
 };
 
 void join_vertices(const base::InView& given, Welded& welded, MeshReport& report, const base::Progress& progress) {
     base::Memory& memory = welded.vertex.memory();
     base::Array<std::int32_t> number(memory, given.count);
     for (const Triangle& t : welded.triangle)
-        for (const std::int32_t corner : t) number[corner] = 1; // the vertex is used
+        for (const std::int32_t corner : t) number[corner] = 1; // marks the vertex as used
     progress.check();
     HashNumbering numbers(memory, given.count);
     std::int64_t used = 0;
@@ -121,8 +122,8 @@ void join_vertices(const base::InView& given, Welded& welded, MeshReport& report
         for (std::int32_t& corner : t) corner = number[corner];
 }
 
-// Tells whether faces run through each edge equally often in both directions, as in closed meshes. Such a mesh has no
-// borders. The test errs for one mesh with borders in 2^64, but is faster than sorting all edges.
+// Returns whether equally many faces run through each edge in both directions, as in a closed mesh. Such a mesh has no
+// borders. For a mesh with borders it is wrong with the probability 2^-64, but it is faster than sorting all edges.
 [[nodiscard]] bool is_balanced(const base::Array<Triangle>& triangle) noexcept {
     std::uint64_t sum = 0;
     for (const Triangle& t : triangle)
@@ -139,8 +140,8 @@ void rename_corners(UnionFind& same, Welded& welded) noexcept {
         for (std::int32_t& corner : t) corner = same.find(corner);
 }
 
-// Merges border vertices that are close to each other: rounding separates the corners of faces that were made
-// separately. Afterwards a face may have the same vertex at two corners.
+// Merges border vertices that are close to each other, because rounding separates corners of faces that were made
+// separately. After this, a face may have the same vertex at two corners.
 void join_borders(const base::Work& work, Welded& welded, MeshReport& report) {
     if (is_balanced(welded.triangle)) return;
     geometry::Bounds bounds;
@@ -179,11 +180,12 @@ void join_borders(const base::Work& work, Welded& welded, MeshReport& report) {
 constexpr std::uint64_t no_edge = ~std::uint64_t{0};
 
 struct Sliver {
-    std::uint64_t edge; // the longest side
+    std::uint64_t edge; // the longest side of the sliver
     std::int32_t face;
-    bool forward;             // The sliver runs from the lower to the higher vertex there.
-    std::int32_t across = -1; // a face across the sliver's longest side, or -1
-    bool agrees = false;      // `across` runs the other way there, as a neighbour with the same orientation does.
+    bool forward;             // True if the sliver runs through that side from the lower to the higher vertex.
+    std::int32_t across = -1; // a face on the other side of the longest side, or -1
+    // True if `across` runs through the side in the other direction, as a neighbour with the same orientation does.
+    bool agrees = false;
 };
 
 [[nodiscard]] std::uint64_t edge_of(std::int32_t a, std::int32_t b) noexcept {
@@ -191,7 +193,7 @@ struct Sliver {
     return low << 32U | static_cast<std::uint64_t>(std::max(a, b));
 }
 
-// Returns the number of a sliver's longest side, or -1 for a face that is no sliver.
+// Returns the number of the longest side of a sliver, or -1 if the face is not a sliver.
 [[nodiscard]] int sliver_side(const Welded& welded, const Triangle& t, double rounding) noexcept {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return -1;
     const std::array<glm::dvec3, 3> p{welded.vertex[t[0]], welded.vertex[t[1]], welded.vertex[t[2]]};
@@ -208,7 +210,7 @@ struct Sliver {
     return height <= std::min(rounding, mesh_tuning.flattest * length) ? longest : -1;
 }
 
-// Merges the ends of those sides of slivers that are no longer than the rounding error.
+// Merges the two ends of a sliver's side if the side is no longer than the rounding error.
 void join_ends(Welded& welded, double rounding) {
     UnionFind places(welded.vertex.memory(), welded.vertex.size());
     for (const Triangle& t : welded.triangle)
@@ -218,8 +220,9 @@ void join_ends(Welded& welded, double rounding) {
     rename_corners(places, welded);
 }
 
-// Keeps the better face across: one that agrees, and then the one with the nearer number. Where solids touch there are
-// several, and in most files the faces of one solid have numbers close to each other.
+// Keeps the better of two faces across the side: one with the same orientation is better, and then one with a number
+// closer to the sliver's. Where solids touch there are several such faces, and in most files the faces of a solid have
+// consecutive numbers.
 void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
     if (sliver.face == face) return;
     const bool agrees = forward != sliver.forward;
@@ -232,7 +235,7 @@ void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
 }
 
 // Returns the slivers, sorted by longest side. Sets `longest` of each face to its longest side, or to no_edge if the
-// face is no sliver.
+// face is not a sliver.
 [[nodiscard]] base::Array<Sliver> find_slivers(const Welded& welded, double rounding,
                                                base::Array<std::uint64_t>& longest, const base::Progress& progress) {
     base::Array<Sliver> found(welded.vertex.memory());
@@ -260,14 +263,15 @@ void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
     return found;
 }
 
-// Returns the number of faces that were cut.
+// Cuts faces across slivers. Returns the number of faces that were cut.
 [[nodiscard]] std::int64_t split_across(const base::Array<Sliver>& slivers, const base::Array<std::uint64_t>& longest,
                                         Welded& welded) {
     base::Array<std::uint8_t> changed(welded.vertex.memory(), welded.triangle.size());
     std::int64_t split = 0;
     for (const Sliver& sliver : slivers) {
         if (sliver.across < 0 || changed[sliver.face] != 0 || changed[sliver.across] != 0) continue;
-        // Another sliver is cut at its own longest side first. Otherwise the two would take turns for ever.
+        // If the face across is another sliver, that one is first cut at its own longest side. Otherwise the two would
+        // be cut for ever.
         if (longest[sliver.across] != no_edge && longest[sliver.across] != sliver.edge) continue;
         const auto a = static_cast<std::int32_t>(sliver.edge >> 32U);
         const auto b = static_cast<std::int32_t>(sliver.edge & 0xFFFFFFFFU);
@@ -275,7 +279,7 @@ void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
         const std::int32_t middle =
             *std::find_if(flat.begin(), flat.end(), [&](std::int32_t v) { return v != a && v != b; });
         const Triangle whole = welded.triangle[sliver.across];
-        // The sliver lies on the face across.
+        // The sliver lies on the face across, so no cut is needed.
         if (std::find(whole.begin(), whole.end(), middle) != whole.end()) continue;
         const auto half_with_middle_for = [&](std::int32_t end) {
             Triangle half = whole;
@@ -294,7 +298,8 @@ void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
 void split_slivers(double rounding, Welded& welded, MeshReport& report, const base::Progress& progress) {
     join_ends(welded, rounding);
     base::Array<std::uint64_t> longest(welded.vertex.memory(), welded.triangle.size());
-    for (int round = 0; round < mesh_tuning.most_sliver_rounds; ++round) { // each round makes the longest sides shorter
+    // Each round makes the longest sides shorter.
+    for (int round = 0; round < mesh_tuning.most_sliver_rounds; ++round) {
         const base::Array<Sliver> slivers = find_slivers(welded, rounding, longest, progress);
         const std::int64_t split = split_across(slivers, longest, welded);
         report.degenerate_faces += split;
@@ -304,10 +309,10 @@ void split_slivers(double rounding, Welded& welded, MeshReport& report, const ba
 
 // ---- Faces without area, and repeated ones
 
-// Counts the given faces with the same corners as a face that is kept.
+// For a face that is kept: how many given faces have the same corners.
 struct Repeated {
-    std::int32_t balance = 0; // the number of faces of one orientation minus the number of faces of the other
-    std::int32_t last = -1;   // the number of the last one
+    std::int32_t balance = 0; // the number of these faces with one orientation, minus the number with the other
+    std::int32_t last = -1;   // the number of the last of these faces
 };
 
 [[nodiscard]] Triangle sorted(Triangle t) noexcept {
@@ -315,7 +320,7 @@ struct Repeated {
     return t;
 }
 
-// Returns 1 if the corners are an even permutation of their order, else -1.
+// Returns 1 if the corners are an even permutation of their sorted order, else -1.
 [[nodiscard]] std::int32_t sense(const Triangle& t) noexcept {
     const int turns = (t[0] > t[1] ? 1 : 0) + (t[1] > t[2] ? 1 : 0) + (t[0] > t[2] ? 1 : 0);
     return turns % 2 == 0 ? 1 : -1;
@@ -329,7 +334,7 @@ struct Repeated {
     for (const std::int64_t face : progress.over(welded.triangle.size())) {
         const Triangle t = welded.triangle[face];
         const glm::dvec3 area = doubled_area({welded.vertex[t[0]], welded.vertex[t[1]], welded.vertex[t[2]]});
-        // If the square of its area is too small for a double, a face has no normal either.
+        // A face has no normal if the square of its area is too small for a double, either.
         if (!(glm::dot(area, area) >= std::numeric_limits<double>::min())) {
             ++report.degenerate_faces;
             continue;
@@ -359,13 +364,16 @@ struct Repeated {
 
 struct FaceAtEdge {
     const Side* side;
-    std::int64_t angle; // about the edge, from the first face, in 1 / parts_of_radian radians, above -pi and up to pi
-    double rounding;    // the largest error of the angle
+    // The angle about the edge, measured from the first face, in units of 1 / parts_of_radian radians, above -pi and up
+    // to pi.
+    std::int64_t angle;
+    double rounding; // the largest error of the angle
 };
 
 constexpr double parts_of_radian = 1e7;
 
-[[nodiscard]] std::int64_t in_parts(double angle) noexcept { // -pi becomes pi
+// Converts an angle to these units. -pi becomes pi, which is the same direction.
+[[nodiscard]] std::int64_t in_parts(double angle) noexcept {
     const std::int64_t half = std::llround(parts_of_radian * std::numbers::pi);
     const std::int64_t parts = std::llround(parts_of_radian * angle);
     return parts <= -half ? half : parts;
@@ -464,8 +472,8 @@ enum class OppositeFace : std::uint8_t {
     return result;
 }
 
-// A wall between solids is never seen, so it is dropped. Where solids touch in other faces beyond the shared ones, each
-// solid keeps its faces.
+// Drops walls between solids, because they are never visible. If solids also touch in faces that only one of them has,
+// each solid keeps its faces.
 void leave_out_walls(const base::Work& work, const base::Array<Repeated>& repeated, double rounding, Welded& welded,
                      MeshReport& report) {
     if (report.repeated_faces == 0) return;
@@ -534,8 +542,8 @@ void end_before_begin(base::Array<FaceAtEdge>& about) noexcept {
     end_before_begin(about);
     for (std::int64_t i = 0; i < about.size(); ++i)
         if (about[i].side->forward == about[(i + 1) % about.size()].side->forward) return pair_flattest(about);
-    // A face that runs through the edge backward faces against the sense of turn. Its solid follows it, up to the next
-    // face.
+    // A face that runs through the edge backward faces against the sense of rotation. Its solid is between it and the
+    // next face.
     if (about[0].side->forward != 0) std::rotate(about.begin(), about.begin() + 1, about.end());
     return true;
 }
@@ -544,7 +552,7 @@ void end_before_begin(base::Array<FaceAtEdge>& about) noexcept {
 void assign_vertices(UnionFind& corners, const base::Array<std::uint8_t>& parted, Welded& welded,
                      const base::Progress& progress) {
     base::Memory& memory = welded.vertex.memory();
-    base::Array<std::int32_t> owner(memory, welded.vertex.size()); // for each vertex: the set that keeps it, plus 1
+    base::Array<std::int32_t> owner(memory, welded.vertex.size()); // for each vertex: 1 + the set that keeps it
     base::Array<std::int32_t> own(memory, 3 * welded.triangle.size());
     for (const std::int64_t corner : progress.over(own.size())) {
         std::int32_t& at = welded.triangle[corner / 3][static_cast<std::size_t>(corner % 3)];

@@ -10,12 +10,13 @@ namespace hrbfnpr::mesh {
 struct Welded {
     explicit Welded(base::Memory& memory) noexcept : vertex(memory), triangle(memory), given_face(memory) {}
 
-    base::Array<glm::dvec3> vertex; // only the vertices of faces, in the order in which they were given
+    base::Array<glm::dvec3> vertex; // The vertices that faces use, in the order in which they were given.
     base::Array<Triangle> triangle;
     base::Array<std::int32_t> given_face;
 };
 
-// The report gets the numbers of vertices that are joined and of faces that are left out.
+// Welds the caller's arrays. The report receives the numbers of vertices that are joined and of faces that are left
+// out.
 [[nodiscard]] Welded weld(const base::Work& work, const MeshInput& input, MeshReport& report);
 
 } // namespace hrbfnpr::mesh

@@ -21,8 +21,8 @@ struct OrientTuning {
     // local spacings away. Larger: solids close to each other count as one component.
     std::int64_t linked = 8;
     double link_length = 3.0;
-    // For points along curves, the first level has from this number of points up to twice as many, spread over the
-    // whole surface. Larger: the level may show single curves.
+    // The first level of points along curves has at least this many points, spread over the whole surface, and fewer
+    // than twice as many. Larger: the level may show single curves.
     std::int64_t fewest_all_over = 64;
 
     // ---- Effort
