@@ -13,12 +13,13 @@ namespace {
 // Vectors are processed in chunks of this many numbers, so sums do not depend on the number of threads.
 constexpr std::int64_t grain = 16384;
 
-// Collects the recursion's coefficients, which form Lanczos' tridiagonal matrix (Golub, Van Loan, section 10.2.5).
+// Collects the coefficients of the CG iterations. They form Lanczos' tridiagonal matrix (Golub, Van Loan, section
+// 10.2.5).
 class Lanczos {
 public:
     explicit Lanczos(base::Memory& memory) noexcept : diagonal_(memory), off_diagonal_(memory) {}
 
-    // alpha is the length of the step, and beta the share of the previous direction in the step's direction.
+    // alpha is the length of the step. beta is the factor of the previous direction in the direction of the step.
     void add(double alpha, double beta) {
         if (!diagonal_.empty()) off_diagonal_.push_back(std::sqrt(beta) / alpha_);
         diagonal_.push_back(1.0 / alpha + (diagonal_.empty() ? 0.0 : beta / alpha_));

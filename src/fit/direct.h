@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Solves the Hermite system by a dense factorisation and polishes the solution.
+// Solves the Hermite system by a dense factorisation, and refines the solution.
 #pragma once
 
 #include "base/work.h"

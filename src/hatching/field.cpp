@@ -32,7 +32,7 @@ namespace {
 struct Link {
     Complex factor; // the factor that transports the number of node `to` to the node where the link begins
     std::int32_t to;
-    // 1. If it is -1, the lines of both nodes point in opposite directions, and the number is conjugated first.
+    // 1 or -1. For -1 the number is conjugated first, because the lines of the two nodes point in opposite directions.
     float sense;
 };
 

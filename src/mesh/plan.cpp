@@ -27,7 +27,7 @@ Facing plan_facing(const FacingFacts& facts, bool keeps_faces) {
     if (keeps_faces || facts.closed) return Facing::right;
     // If the mesh is a terrain, it must face up.
     if (const char axis = facts.hangs_along(); axis != 0) return axis == 'z' ? Facing::down_z : Facing::down_y;
-    // Other meshes with holes must face outward.
+    // The faces of other meshes with holes are turned if the normals point inward.
     return facts.inward() ? Facing::inward : Facing::right;
 }
 

@@ -542,8 +542,8 @@ void end_before_begin(base::Array<FaceAtEdge>& about) noexcept {
     end_before_begin(about);
     for (std::int64_t i = 0; i < about.size(); ++i)
         if (about[i].side->forward == about[(i + 1) % about.size()].side->forward) return pair_flattest(about);
-    // A face that runs through the edge backward faces against the sense of rotation. Its solid is between it and the
-    // next face.
+    // If a face runs through the edge backward, the solid beside it comes after it in the order of angles. Its partner
+    // is then the next face, not the one before.
     if (about[0].side->forward != 0) std::rotate(about.begin(), about.begin() + 1, about.end());
     return true;
 }

@@ -32,8 +32,8 @@ struct GrowingOutline {
         return glm::length(a - b) <= least && points.size() > 1;
     }
     [[nodiscard]] bool is_closed() const noexcept { return meets(points.back(), points.front()); }
-    // Appends a part, which begins where this outline ends. If `turned`, the part is appended in reverse order, because
-    // its last point is there.
+    // Appends a part that continues this outline. If `turned`, the last point of the part is the near one, so the part
+    // is appended in reverse order.
     void append(const Outline& part, bool turned) {
         const std::size_t before = points.size();
         if (turned)

@@ -184,7 +184,7 @@ double median_crowd(const Vector<OccupiedCell>& cells, std::size_t points, Pool&
     const auto high = static_cast<std::int64_t>(points / 2);
     std::int64_t before = 0;
     double sum = 0.0;
-    // For each cell with `crowd` points, `crowd` points have that number of points in their cell.
+    // A cell with `crowd` points is counted once for each of its points.
     for (const std::int64_t crowd : crowds) {
         if (before <= low && low < before + crowd) sum += static_cast<double>(crowd);
         if (before <= high && high < before + crowd) sum += static_cast<double>(crowd);

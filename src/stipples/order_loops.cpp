@@ -61,7 +61,7 @@ struct Lanes {
         const W own_y = coordinate<10>(normal);
         const W own_z = coordinate<20>(normal);
         const W turn = dot(own_x, own_y, own_z, mark.normal_x, mark.normal_y, mark.normal_z);
-        if (on_surface) { // The length of the way through both tangent planes.
+        if (on_surface) { // Across a crease, the distance is the length of the way through both tangent planes.
             const W here = dot(way_x, way_y, way_z, own_x, own_y, own_z);
             const W there = dot(way_x, way_y, way_z, mark.normal_x, mark.normal_y, mark.normal_z);
             const W both = hn::Mul(hn::Set(d, -2.0F), hn::Mul(here, there));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The inner loops of the progressive order, on every instruction set: candidates add up the energy of marks, and the
-// candidate of the lowest energy is found.
+// The inner loops of the progressive order, for every instruction set. They add the energy of marks to candidates, and
+// find the candidate of the lowest energy.
 #pragma once
 
 #include "base/assert.h"

@@ -207,7 +207,7 @@ struct Stage {
 [[nodiscard]] base::Array<std::uint64_t> take_candidates(Candidates& candidates, Stage& stage) {
     const StageSettings& settings = stage.settings;
     base::Array<std::uint64_t> code(stage.site.memory());
-    // For each cell: the first of the candidates' cells inside it; and the end.
+    // for each cell of the stage: the index of the first candidates' cell in it; at the end, the number of these cells
     base::Array<std::int64_t> part(stage.site.memory());
     for (std::int64_t c = 0; c < candidates.cells(); ++c) {
         const std::uint64_t here = candidates.code[c] >> static_cast<unsigned>(3 * settings.level);

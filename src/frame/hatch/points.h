@@ -64,7 +64,7 @@ struct HatchStroke {
     // The row of mark[0]. If no marks were left out, it is the mark's number along the stroke.
     std::int64_t first_kept = 0;
     StrokeEnd begins = StrokeEnd::open, ends = StrokeEnd::open;
-    // True if mark[0] is the stroke's first mark; true if the last mark is the stroke's last.
+    // whether mark[0] is the stroke's first mark, and whether the last mark is the stroke's last
     bool has_begin = false, has_end = false;
 
     // Working memory.
@@ -116,7 +116,7 @@ struct HatchChain {
     std::int64_t first = 0; // the index of the first sample
     std::int64_t count = 0; // at least 2; in a ring, the last sample repeats the first
     bool ring = false;
-    // True if the stroke begins at the first sample; true if it ends at the last.
+    // whether the stroke begins at the first sample, and whether it ends at the last one
     bool has_begin = false, has_end = false;
     StrokeEnd begins = StrokeEnd::open, ends = StrokeEnd::open;
 };
