@@ -36,7 +36,7 @@ template <class T>
     return *pointer;
 }
 
-// The same for functions that make a handle: *out is NULL unless make() returns a handle.
+// Runs make(), which makes a handle, as guarded() runs body(). *out is NULL unless make() returns a handle.
 template <class T, class F>
 hrbfnpr_status guarded_create(T** out, const char* name, hrbfnpr_error* error, F&& make) noexcept {
     if (out != nullptr) *out = nullptr;

@@ -132,7 +132,7 @@ private:
 
     CsgSolid& solid_;
     List<Node> list_;
-    base::Array<std::int64_t> number_; // for each node: its index in the solid
+    base::Array<std::int64_t> number_; // for each node: the node's index in the solid
     implicit::CsgTree given_;
 };
 

@@ -26,8 +26,9 @@ public:
     CsgSolid& operator=(const CsgSolid&) = delete;
     ~CsgSolid();
 
-    // First add the nodes, each after its parent. The first node is the root, whatever its parent says.  A tree takes
-    // the place of a leaf.  Both return the index of the first new node.
+    // Add the nodes first, each after its parent. The first node is the root, whatever parent it names. The first
+    // function adds a whole tree in place of a leaf, the second a single node. Both return the index of the first node
+    // added.
     std::int64_t add(const CsgSolid& of, const implicit::CsgNode& in_place_of);
     std::int64_t add(const implicit::CsgNode& node);
     // Returns the number of a model for CsgNode::model, and keeps the model. The same model always has the same number.

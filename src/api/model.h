@@ -59,8 +59,8 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
     // Records that no end of the surface was found, as for a closed one.  Call it before other threads know the model.
     void set_trim_report(const hrbfnpr::generate::TrimReport& found) noexcept { trim_.report = found; }
     [[nodiscard]] const hrbfnpr::generate::FoundTrim& trim() const noexcept { return trim_; }
-    // Returns the same function, prepared if that saves time for this number of evaluations. The first such call
-    // prepares it.  It may be called on any thread.
+    // Returns the model's function, prepared if that saves time for this number of evaluations. The first such call
+    // prepares it.  Any thread may call this.
     [[nodiscard]] const hrbfnpr::implicit::Implicit& implicit_for(double evaluations,
                                                                   const hrbfnpr::base::Progress& progress) const;
     // Returns nullptr if the model is not a single fit.
@@ -109,7 +109,7 @@ private:
     mutable std::mutex preparing_;
     struct Preparation {
         bool tried = false;
-        std::unique_ptr<hrbfnpr::implicit::Implicit> implicit; // null if it would not be accurate
+        std::unique_ptr<hrbfnpr::implicit::Implicit> implicit; // null if the prepared function would not be accurate
     };
     mutable std::array<Preparation, ways> preparations_;
     // The prepared functions of untrimmed(), each with this model's trim, at the same index as in preparations_.

@@ -138,7 +138,7 @@ hrbfnpr_trim_info describe_trim(const hrbfnpr_model& model) noexcept {
     return info;
 }
 
-// With fewer samples, their spacing is unknown.
+// With fewer samples than this, the spacing is unknown.
 constexpr std::int64_t fewest = 10;
 
 // Finds where to trim a fit. Returns an empty result if the end of the surface cannot be found.

@@ -15,7 +15,7 @@ struct hrbfnpr_renderer : hrbfnpr::api::Child {
     }
 
     hrbfnpr::frame::Frame frame;
-    // These members belong to the drawing that is being made.
+    // The items, styles and other inputs of the drawing that is being made.
     hrbfnpr::base::Array<hrbfnpr::frame::Item> items;
     hrbfnpr::base::Array<hrbfnpr::frame::LayerStyle> layer_styles;
     hrbfnpr::base::Array<hrbfnpr::frame::LineStyle> line_styles;

@@ -400,7 +400,7 @@ SurfaceLines with_turns(const base::Runtime& runtime, const SurfaceLines& lines,
                         const View& view) {
     const Curves& curves = lines.curves;
     struct Turn {
-        std::int64_t a, b; // the points of a piece between which n . v changes its sign
+        std::int64_t a, b; // the two points of a piece on which n . v changes its sign
         Illinois root;
         double share;
         glm::dvec3 gradient;

@@ -335,8 +335,8 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
 }
 
 // If the surface passes very near a corner, it cuts all edges there in nearly the same point, and triangles degenerate.
-// So such corners are moved away from the surface. Corners on the region's faces stay on these faces. The signs of f do
-// not change, so the triangles keep their connections.
+// So corners very near the surface are moved away from it. Corners on the region's faces stay on these faces. The signs
+// of f do not change, so the triangles keep their connections.
 void clear_corners(const base::Work& work, const implicit::Implicit& implicit, CrossedCells& cells) {
     const double clearance = curve_tuning.corner_clearance;
     const Lattice& lattice = cells.lattice;

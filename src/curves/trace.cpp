@@ -217,8 +217,8 @@ enum class PathEnd : std::uint8_t { none, at_run, border, broken };
 
 // A curve that is being followed.
 struct Path {
-    std::int64_t start; // the number of its first run
-    double sense;       // 1 if it is followed forwards, -1 if backwards
+    std::int64_t start; // the number of the run at which the path starts
+    double sense;       // 1 for a path that is followed forwards, -1 backwards
     CurvePoint last;
     glm::dvec3 tangent;   // unit tangent in the direction of the path
     glm::dvec3 bend{0.0}; // the change of the tangent per length in the last step

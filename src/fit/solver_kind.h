@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// These numbers equal those of HRBFNPR_SOLVER_* and HRBFNPR_SOLVER_REASON_*.
+// The values of these enumerators equal those of HRBFNPR_SOLVER_* and HRBFNPR_SOLVER_REASON_*.
 #pragma once
 
 #include <cstdint>

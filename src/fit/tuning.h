@@ -28,8 +28,8 @@ struct AdaptiveTuning {
     // Larger: smaller batches.
     double apart = 0.5;
     double least_apart = 1e-3;
-    // Where f grows inward, the error of a candidate is at least this many tolerances. Larger: such candidates come
-    // first.
+    // Where f grows inward, the error of a candidate is at least this many tolerances. Larger: candidates of this kind
+    // come first.
     double wrong_side = 2.0;
 };
 inline constexpr AdaptiveTuning adaptive_tuning;

@@ -37,8 +37,8 @@ struct Lines {
 [[nodiscard]] Lines find_crests(const base::Work& work, const curves::SurfaceMesh& mesh, const Waves& waves,
                                 int levels);
 
-// Joins ends that are at most `reach` apart and point towards each other. Where a line passes through a fork, the mesh
-// does not always show it, which leaves such gaps.
+// Joins ends that are at most `reach` apart and point towards each other. Gaps between such ends occur at forks: the
+// mesh does not always show a line that passes through a fork.
 [[nodiscard]] Lines join_ends(const Lines& lines, double reach, const base::Progress& progress);
 
 // Returns the lines with new points, whose distance is `step`, as far as the length of a line allows. Lines shorter

@@ -43,8 +43,8 @@ struct EdgeLengths {
 // The verdict whether a mesh or a component has edges, and the reasons.
 struct CreaseEvidence {
     double length = 0.0;     // The length of the edges that bend by more than the angle, in diagonals.
-    double standing = 0.0;   // The share of this length that stands out.
-    double coarse = 0.0;     // The share of this length whose two faces are far from a round surface.
+    double standing = 0.0;   // The share of `length` that stands out.
+    double coarse = 0.0;     // The share of `length` whose two faces are far from a round surface.
     bool creases = false;    // True if the shape has edges.
     bool polyhedron = false; // True if the shape has edges because its faces are coarse. All faces are then flat.
 };
@@ -171,7 +171,8 @@ struct SampleOptions {
 // Tells whether a fit to the mesh takes as many samples as it needs.
 [[nodiscard]] bool chooses_samples(const SampleOptions& wishes) noexcept;
 
-// These return the tolerance of a fit, and the largest allowed distance. If the wish is 0, they return the default.
+// The first function returns the tolerance of a fit, the second the largest allowed distance. If the wish is 0, they
+// return the default.
 [[nodiscard]] double plan_tolerance(double wish, double diagonal) noexcept;
 [[nodiscard]] double plan_far(double wish, double tolerance) noexcept;
 // Returns the tolerance for one group of parts. `across` is the diagonal of all groups together. The camera shows the

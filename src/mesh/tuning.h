@@ -104,7 +104,8 @@ struct PlanTuning {
     // If a division moves vertices by more than this factor times the bulge of the faces, no round surface goes through
     // the vertices. The factor is at most 1.2 on figures and rings. Larger: more meshes with long faces are divided.
     double most_moved = 1.5;
-    // The same for places between the vertices. The factor is 1.8 for a ball of 156 faces, and at most 2.7 for figures.
+    // If a division moves places between the vertices by more than this factor times the bulge of the faces, no round
+    // surface goes through the vertices. The factor is 1.8 for a ball of 156 faces, and at most 2.7 for figures.
     double most_raised = 3.0;
     // If all faces are flat, edges that bend by more than this are sharp, in degrees. Larger: fewer edges are sharp.
     double flat_bend = 5.0;
@@ -142,7 +143,8 @@ struct PlanTuning {
     // The lower bound as a share of a strip's width. It leaves space for a row of places on either side of the strip,
     // and for a gap between the rows.
     double of_width = 0.2;
-    // The lower bound in mean distances between places. Larger: the surface ends farther beyond the last places.
+    // The lower bound of EndPlan::off, in mean distances between places. Larger: the surface ends farther beyond the
+    // last places.
     double of_places = 1.5;
     // Between its bounds, EndPlan::off is this factor times the 99th percentile of the mesh's distances from the
     // surface, which is large if faces are coarse. For a fit to samples, it is this factor times the spacing of the

@@ -200,7 +200,7 @@ public:
         bool turned = false;
         for (; parent_[at] != at; at = parent_[at]) {
             const std::int32_t above = parent_[at];
-            turned_[at] ^= turned_[above]; // Halves the path: `at` skips its parent.
+            turned_[at] ^= turned_[above]; // Path halving: `at` skips its parent.
             parent_[at] = parent_[above];
             turned ^= turned_[at] != 0;
         }

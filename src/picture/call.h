@@ -27,8 +27,8 @@ public:
     Options(const Options&) = delete;
     Options& operator=(const Options&) = delete;
 
-    // Its texts point to copies that this object keeps. Do not read its sources, style, settings, changes, dabs, camera
-    // or seed points: use the members below instead.
+    // The descriptor. Its texts point to copies that this object keeps. Do not read its sources, style, settings,
+    // changes, dabs, camera or seed points: use the members below instead.
     hrbfnpr_picture_desc desc;
     std::shared_ptr<const Settings> settings; // may be null
     // True if the caller names no style, so that the style and layers come from the settings.

@@ -25,8 +25,9 @@ enum class Special : std::uint8_t { none, ink };
 // The struct and the field that a path names.
 struct ChangeTarget {
     Record record = Record::style;
-    std::string_view field_name;       // the last part of the path
-    const NamedField* field = nullptr; // Null if the record has no such field, or if the path has a special meaning.
+    std::string_view field_name; // the last part of the path
+    // Null if the record has no field of this name, or if the path has a special meaning.
+    const NamedField* field = nullptr;
     Special special = Special::none;
     bool has_section = true;
     std::string_view wrong_kind = {}; // A name in the path that is not a kind of layers, or "".

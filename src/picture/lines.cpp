@@ -42,7 +42,7 @@ struct SharpEdges {
         std::int64_t from, to; // the numbers of the two places that the side connects
     };
     Points places;
-    Vector<Edge> edges; // the edges, in the order in which the faces list them
+    Vector<Edge> edges; // the sharp edges, in the order of the faces' lists
 };
 
 double diagonal_of_points(const Points& points) noexcept {

@@ -25,7 +25,7 @@ String distances_of(const Found& found, double diagonal, Pool& pool) {
 } // namespace
 
 String percent_of(double share, int digits, Pool& pool) {
-    if (std::isnan(share)) return {"nan%", &pool}; // printf may write NaN with a sign, so it is written here.
+    if (std::isnan(share)) return {"nan%", &pool}; // NaN is written here, because printf may write it with a sign.
     return formatted(pool, "%.*f%%", digits, 100.0 * share);
 }
 

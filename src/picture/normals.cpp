@@ -109,7 +109,7 @@ void compare_neighbours(const NormalSamples& samples, const geometry::Neighbours
                 ++beside;
                 opposed_beside += opposed ? 1 : 0;
             }
-            // A neighbour at such a low height is certainly on the same sheet.
+            // A neighbour so close to the sample's plane is certainly on the same sheet.
             if (height < normals_tuning.level_height * length) {
                 ++level_pairs;
                 opposed_pairs += opposed ? 1 : 0;

@@ -384,8 +384,8 @@ void take_turns(Pool& pool, Vector<LayerPlan>& layers, const Style& style, bool 
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const hrbfnpr_layer_desc& desc = layers[i].desc;
         const hrbfnpr_layer_style how = style.style_of(desc.kind, desc.name);
-        // These layers get no range: a hatch layer, whose style sets the tones at which lines appear, and a layer that
-        // is not drawn.
+        // Two kinds of layers get no range of tones: a hatch layer, whose style sets the tones at which lines appear,
+        // and a layer that is not drawn.
         if ((desc.kind == HRBFNPR_LAYER_KIND_HATCH && !published) || how.shown == 0) continue;
         const bool is_stipples = desc.kind == HRBFNPR_LAYER_KIND_STIPPLES;
         if (is_stipples || (how.directions & 1U) != 0) turns.push_back({i, false});

@@ -21,10 +21,10 @@ struct UpTuning {
     // all sides.
     double side_told = 0.05;
     // A shape may be seen from one side only if more than this share of its normals has a z component of at least
-    // `side_told`. Larger: fewer shapes are such views.
+    // `side_told`. Larger: fewer shapes count as seen from one side.
     double view_share = 0.98;
     // In a view from one side, the mean sign of the normals' z components is larger than this in magnitude. Larger:
-    // fewer shapes are such views.
+    // fewer shapes count as seen from one side.
     double view_one_sided = 0.95;
     // The samples in this share of the height may belong to a flat end. Larger: thicker ends are flat.
     double end_height = 0.02;

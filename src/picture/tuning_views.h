@@ -70,7 +70,7 @@ inline constexpr SightTuning sight_tuning;
 struct ViewOrderTuning {
     // Nearly parallel lines closer than this are drawn as one line. Larger: fewer double lines, and narrow gaps close.
     double reach = 0.35;
-    // The same distance for lines that are not sharp edges.
+    // Nearly parallel lines that are not sharp edges are drawn as one line if they are closer than this.
     double smooth_reach = 0.8;
     // The distance between places where lines are compared. Larger: faster, with rougher ends.
     double step = 0.15;

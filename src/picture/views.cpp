@@ -23,7 +23,7 @@ namespace {
 
 using ViewsDesc = hrbfnpr_views_desc;
 constexpr std::uint32_t views_flags = HRBFNPR_VIEWS_CENTRE_LINES | HRBFNPR_VIEWS_LABELS | HRBFNPR_VIEWS_UNIT_IS_METRE;
-constexpr double longest_on_paper = 1e9; // The largest length in mm; it also limits other numbers.
+constexpr double longest_on_paper = 1e9; // The largest length in mm, and the largest value of other numbers.
 
 constexpr auto views_fields() noexcept {
     using D = ViewsDesc;
@@ -138,7 +138,7 @@ void require_cut(const CutPlane& plane, const AskedCut& cut, const Points& place
         high = std::max(high, glm::dot(place, plane.normal));
     }
     if (low < plane.place && plane.place < high) return;
-    // Its sign is that of the requested normal.
+    // This factor has the sign of the requested normal.
     const double factor = std::copysign(glm::length(cut.normal), glm::dot(plane.normal, cut.normal));
     report.refuse(formatted(report.pool(), "{section}: the plane at %g misses the model, which lies between %g and %g",
                             factor * plane.place, std::min(factor * low, factor * high),

@@ -127,7 +127,7 @@ struct Candidates {
     // The order sets their energies and clearances.
     base::Array<OrderGroup> group;
     base::Array<std::uint32_t> ticket; // for each place in the groups: a random number
-    marks::LevelReport report;         // its `attempted` counts all points that were near the surface
+    marks::LevelReport report;         // In the report, `attempted` counts all points that were near the surface.
     double area = 0.0;                 // the estimated area of the surface inside the region
 };
 

@@ -61,7 +61,7 @@ struct ExtraMark {
     std::int32_t next; // the next mark of the same cell, as an index of Stage::extra; -1 for the last
 };
 struct Tile {
-    std::int32_t begin, end; // the range of its cells
+    std::int32_t begin, end; // the range of the tile's cells
 };
 struct FreshMark {
     OrderMark mark;

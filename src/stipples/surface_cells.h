@@ -19,7 +19,7 @@ namespace hrbfnpr::stipples {
 // A cell with the linear approximation of f at its centre: f(x) / |grad f| is about distance + normal . (x - centre).
 struct SurfaceCell {
     std::uint64_t code; // a Morton code, see geometry/morton.h
-    double distance;    // NaN if there is no such plane
+    double distance;    // NaN if no plane approximates the function
     glm::dvec3 normal;  // unit vector; 0 if there is no plane
 };
 

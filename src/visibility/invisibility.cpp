@@ -448,8 +448,8 @@ base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& l
         const double way = at - group.begin;
         return line.closed ? way - whole * std::round(way / whole) : way;
     };
-    // Returns whether an event is a crossing of the branches before a group with those after it or inside it. The loop
-    // of such a crossing has only cusps of this group.
+    // Returns whether an event is a crossing of two branches of one group: a branch before the group, and a branch
+    // after it or inside it. The loop of the crossing has only cusps of this group.
     const auto is_crossing_of = [&](const CuspGroup& group, const Event& e) {
         if (e.near_piece < line.first_piece || e.near_piece >= line.first_piece + line.pieces) return false;
         const double far = from_begin(group, e.at);

@@ -49,8 +49,8 @@ struct VisibilityTuning {
     // Curves that are nearer than this to each other at a crossing are the same curve, in sides of the mesh. Larger:
     // crossings of surfaces that nearly touch are lost.
     double least_gap = 1e-5;
-    // The same distance for a line that crosses itself, because a line turns back at a cusp. Larger: small loops are
-    // lost.
+    // If a line crosses itself with a smaller gap than this, in mesh sides, it is no crossing: the line turns back at a
+    // cusp. Larger: small loops are lost.
     double least_loop = 0.02;
     // `least_gap` for a border or another line and the contours of its own surface, since their images touch.
     double touching_gap = 0.05;

@@ -52,7 +52,7 @@ constexpr std::int64_t clusters_a_task = 64; // A task has this many clusters. A
     float lines = 0.0F;
     for (std::int64_t r = first; r < scene.runs.size() && scene.runs[r].item == scene.runs[first].item; ++r) {
         const Run& run = scene.runs[r];
-        // These marks do not count: hatching makes its tone itself, and other runs make no tone.
+        // Hatching makes its tone itself, and some runs make no tone, so their marks do not count.
         if (!run.draws_front || !run.makes_tone || run.shape == Shape::hatch) continue;
         // The strokes of blue-noise hatching have one direction. Other strokes have two directions, each with half of
         // the marks.

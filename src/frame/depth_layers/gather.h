@@ -73,7 +73,7 @@ struct TransmittanceTable {
     }
 };
 
-// Consecutive clusters of a run. A task processes them.
+// Consecutive clusters of a run, which one task processes.
 struct GatherTask {
     std::int64_t run, begin, end;
 };

@@ -42,7 +42,8 @@ constexpr float most_pieces = 4096.0F;
     return half < 0.0F && root >= 0.0F ? (-half - std::sqrt(root)) / square : NearerEdges::nowhere;
 }
 
-// The same for the points within `radius` of a segment: a strip, with a disc at each end.
+// Returns the share of the way from p at which the way enters the strip of points within `radius` of a segment. The
+// strip has a disc at each end.
 [[nodiscard]] float entry_of_strip(const glm::vec2& p, const glm::vec2& way, const glm::vec2& from, const glm::vec2& to,
                                    float radius) noexcept {
     const glm::vec2 along = to - from;

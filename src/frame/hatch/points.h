@@ -239,7 +239,7 @@ private:
     const base::Runtime& runtime_;
     ProjectionLoops see_;
     HatchLoops loops_;
-    base::List<Batch> batches_; // It may hold more than `count_` batches, from an earlier frame.
+    base::List<Batch> batches_; // The list may hold more than `count_` batches, from an earlier frame.
     std::int64_t count_ = 0;
     base::Array<float> taus_; // for each mark of the scene: its tone, if a callback gives it
 };
@@ -271,7 +271,7 @@ public:
 
 private:
     const base::Runtime& runtime_;
-    base::Array<std::int64_t> offsets_; // for each tile: its first run; and the end of the last tile
+    base::Array<std::int64_t> offsets_; // for each tile: the index of its first run; at the end, the number of runs
     base::Array<HatchDotRun> runs_;
 };
 

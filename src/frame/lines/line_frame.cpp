@@ -57,7 +57,7 @@ void add_counts(const visibility::Invisibility& found, const TracedLines& traced
 struct LineSource {
     const Item& item;
     curves::View view;
-    std::int32_t number; // its number among the occluders
+    std::int32_t number; // the source's number among the occluders
     bool mirrored;
     std::int32_t contours, border, end;
     std::int32_t folds = -1; // -1 if no crease of the item is a contour

@@ -16,7 +16,7 @@ namespace hrbfnpr::frame {
 struct Contours {
     explicit Contours(base::Memory& memory) : traced(memory), with_cusps(memory) {}
 
-    std::shared_ptr<const void> set; // the line set, by its LineSet::identity()
+    std::shared_ptr<const void> set; // the identity of the line set, from LineSet::identity()
     std::int64_t item = 0;
     std::int64_t part = 0;     // the index of the sheet in LineSet::parts(); 0 if the set has no parts
     glm::dvec4 eye{0.0};       // the eye, as in View::eye

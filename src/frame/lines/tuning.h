@@ -13,8 +13,8 @@ struct LineTuning {
     // If more than this share of all points moves farther, all contours are traced anew. Larger: more contours may be
     // missed.
     double most_left_out = 0.1;
-    // The tolerance for tracing contours from those of the last frame, in mesh sides. The next frame starts from the
-    // result. After a step of this length the error is a millionth of a mesh side.
+    // The tolerance for tracing contours from the contours of the last frame, in mesh sides. The next frame starts from
+    // the result. After a Newton step as long as this, the error is a millionth of a mesh side.
     double moved_tolerance = 1e-3;
     // Lines of the caller's own may lie this deep inside the surface, in sides of the mesh. Larger: surface just before
     // such lines does not hide them.

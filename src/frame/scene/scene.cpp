@@ -188,7 +188,8 @@ Run run_of(const Item& item, const marks::Layer& layer, bool splats, bool any_su
     run.normal = layer.normal.data();
     run.clusters = &layer.clusters;
     run.count = layer.count();
-    run.directions = run.is_scattered() ? 3U : own.directions; // A stipple has no direction, so it belongs to both.
+    // A stipple has no direction, so it belongs to both directions.
+    run.directions = run.is_scattered() ? 3U : own.directions;
     run.draws_front = own.shown && own.share > 0.0F && run.directions != 0;
     if (!published && !run.is_scattered() && run.draws_front) run.shape = own.shape;
     run.makes_tone = is_surface(layer) || !any_surface;

@@ -139,9 +139,9 @@ struct Run {
     std::int32_t item = 0;      // the index of the item in the scene
     std::int32_t source = 0;    // the index of the item in the drawing
     std::int32_t layer = 0;     // the index of the layer in the item's set
-    std::uint32_t first_id = 0; // the id of its first mark in the drawing
-    std::int64_t first = 0;     // the number of its first mark among the marks of all runs
-    std::int64_t count = 0;     // the number of its marks
+    std::uint32_t first_id = 0; // the id of the run's first mark in the drawing
+    std::int64_t first = 0;     // the number of the run's first mark among the marks of all runs
+    std::int64_t count = 0;     // the number of marks in the run
     // The number of its first place in the blocks of clusters, among the places of all runs.
     std::int64_t first_place = 0;
     std::uint32_t directions = 3; // the directions whose strokes are front ink; bit 0 is the first, bit 1 the second

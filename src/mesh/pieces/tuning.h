@@ -124,10 +124,10 @@ struct WindingTuning {
     // Two places belong to different turns of a patch if they are closer than this, in diagonals. Larger: wider coils
     // are cut.
     double layers_apart = 0.2;
-    // The cosine between the normals of two such places is at least this.
+    // Two places belong to different turns of a patch only if the cosine of their normals is at least this.
     double same_way = 0.3;
-    // The path between them on the patch is at least this many times their distance, and at least this many diagonals
-    // long. Larger: fewer patches are cut.
+    // The path on the patch between places of different turns is at least this many times their distance, and at least
+    // this many diagonals long. Larger: fewer patches are cut.
     double way_around = 5.0;
     double least_way = 0.3;
     // A patch is flat if the cosine between each of its normals and the first is at least this. The turns of a flat
