@@ -29,7 +29,7 @@ struct OrientTuning {
 
     // Clouds of at most this many points get all starts and are not replaced by means. Larger: more time.
     std::int64_t few_points = 6000;
-    // Larger clouds get one start. Larger: more time.
+    // Clouds with more points than this get one start. Larger: more time.
     std::int64_t many_points = 150000;
     // In clouds with more points than this, the search for signs starts from patches. Larger: more time.
     std::int64_t many_places = 100000;

@@ -401,7 +401,7 @@ void refine_projections(const marks::Site& site, const ClassifiedCells& classifi
 
 // ---- 4. Both kinds together
 
-// Stores the candidates of both kinds cell by cell. Each cell has groups of its own. Cells without candidates are left
+// Stores the candidates of both kinds cell by cell. Each cell has separate groups. Cells without candidates are left
 // out.
 void merge(const marks::Site& site, const ClassifiedCells& classified, const PlaneCandidates& planes,
            const LayerCandidates& layer, Candidates& candidates) {

@@ -440,7 +440,7 @@ struct SweepStep {
     float threshold;
 };
 
-// The number of steps in a sweep of a large order, which is the most.
+// The largest number of steps in a sweep. Sweeps of large orders have this many.
 constexpr std::size_t steps_of_sweep = 12;
 
 // Prefetches everything that a mark in or near the cell will change, so that the loads overlap.

@@ -206,7 +206,7 @@ struct Scene {
     base::Array<Run> runs;
     base::List<marks::MarkClusters> posed;  // the clusters of layers with moved marks
     base::List<marks::MarkClusters> turned; // the clusters of the runs of the other sides
-    base::Array<float> turned_normal;       // the normals for these runs, run after run
+    base::Array<float> turned_normal;       // the normals for the runs of the other sides, run after run
 
     [[nodiscard]] const ItemView& item_of(const Run& run) const noexcept { return items[run.item]; }
     [[nodiscard]] std::int64_t mark_count() const noexcept {

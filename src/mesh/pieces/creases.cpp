@@ -34,7 +34,8 @@ struct CreaseTask {
     const base::Work& work;
     const Mesh& mesh;
     const base::Array<Side>& sides;
-    // One element for all faces, or several, of which `of_face` gives the index.
+    // The limits beyond which edges are sharp: one element for all faces, or several. `of_face` then gives the index
+    // for each face.
     const base::Array<Sharpness>& sharpness;
     const base::Array<std::int32_t>& of_face;
 
