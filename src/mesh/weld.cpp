@@ -312,7 +312,7 @@ void split_slivers(double rounding, Welded& welded, MeshReport& report, const ba
 // For a face that is kept: how many given faces have the same corners.
 struct Repeated {
     std::int32_t balance = 0; // the number of equal faces with one orientation, minus the number with the other
-    std::int32_t last = -1;   // the number of the last of these faces
+    std::int32_t last = -1;   // the number of the last face with these corners
 };
 
 [[nodiscard]] Triangle sorted(Triangle t) noexcept {

@@ -249,7 +249,7 @@ private:
 
 // ---- Bounds that hold for many marks at once: for all that lie in a ball and have normals in a cone
 
-// An item as seen from the coordinates of its own space.
+// An item as seen in its own coordinates.
 struct ItemSight {
     ViewTransform view_transform; // `rigid` if the transform keeps angles, so that cones of normals stay cones
     float scale = 1.0F;           // the largest number of eye units per object unit
