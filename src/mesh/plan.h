@@ -17,7 +17,8 @@ namespace hrbfnpr::mesh {
 // Returns whether make_mesh() turns the faces of a component around.
 [[nodiscard]] bool is_turned(const Component& component, Parts parts, Faces faces) noexcept;
 
-// How the faces of a mesh point, by samples: right, or in a direction for which all faces are turned.
+// How all faces of a mesh must be turned, as inspected samples show: not at all (right), because a terrain faces down
+// along z or y, or because the normals point inward.
 enum class Facing { right, down_z, down_y, inward };
 
 struct FacingFacts {
