@@ -64,7 +64,8 @@ void find_edges(const hrbfnpr_mesh& handle, const MeshEdgesDesc& desc, const hrb
     const base::OutView sides = out_view(sharp, "sharp", {3, index_types}, mesh.faces());
     mesh::FitMeshSettings settings;
     mesh_edges_fields().copy(desc, settings);
-    settings.tolerance = settings.far / 5.0; // The ratio is that of a fit with the default `far`.
+    // A fit with the default `far` has the same ratio of `far` to the tolerance.
+    settings.tolerance = settings.far / 5.0;
     const OperationUse use(operation);
     const mesh::PlannedCreases plan =
         mesh::find_planned_creases({handle.runtime(), use.progress()}, mesh, handle.tree, handle.creases, settings);

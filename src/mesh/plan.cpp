@@ -101,7 +101,7 @@ CoarsePlan plan_coarse_faces(const CoarseFacts& facts, const MeshOptions& wishes
     if (!wishes.chooses_samples) return {};
     // If the mesh has many faces, or small faces, its edges bend because of noise.
     if (facts.faces > plan_tuning.most_coarse || facts.mean_edge() < plan_tuning.coarse_edge) return {};
-    // All faces are within the tolerance of a round surface.
+    // If all faces are within the tolerance of a round surface, nothing is divided.
     const double tolerance = plan_tolerance(wishes.tolerance, 1.0);
     const double off = facts.coarseness();
     if (!(off > tolerance)) return {};
@@ -201,9 +201,9 @@ double least_off(const EndFacts& facts) noexcept {
                       plan_tuning.least_off);
 }
 
-// Returns EndPlan::off for a fit. Coarse faces of a round shape are everywhere far from the round surface. So the
-// result is above most distances of the mesh from the surface: these do not show surface that does not belong to the
-// mesh.
+// Returns EndPlan::off for a fit. The mesh's distances from the surface are large where coarse faces approximate a
+// round shape, although all of the surface belongs to the mesh there. So the result is larger than most of these
+// distances.
 double off_of_fit(const EndFacts& facts, double least) noexcept {
     const double p99 = facts.mesh_p99 / facts.diagonal;
     return p99 > 0.0 ? std::clamp(plan_tuning.of_coarse_faces * p99, least, plan_tuning.most_off) : least;

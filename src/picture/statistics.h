@@ -13,8 +13,8 @@
 
 namespace hrbfnpr::picture {
 
-// Returns `wanted` of the numbers 0 to count - 1, in ascending order. If there are no more, returns all [Knuth, "The
-// Art of Computer Programming", 3.4.2, algorithm S].
+// Returns `wanted` of the numbers 0 to count - 1, in ascending order. If count is not larger than `wanted`, returns all
+// numbers [Knuth, "The Art of Computer Programming", 3.4.2, algorithm S].
 [[nodiscard]] inline Vector<std::int64_t> random_subset(std::size_t count, std::size_t wanted, std::uint64_t seed,
                                                         std::uint32_t stream, Pool& pool) {
     Vector<std::int64_t> chosen(&pool);

@@ -39,8 +39,8 @@ geometry::Bounds region_of(const marks::Site& site, const marks::Seeds& seeds, d
     const double diagonal = site.implicit.diagonal();
     const double margin = bounds.diagonal() > 0.0 ? std::clamp(sample_spacing, stipple_tuning.least_margin * diagonal,
                                                                stipple_tuning.most_margin * diagonal)
-                                                  // A single sample has no spacing. The margin is then the half
-                                                  // diagonal of its bounds.
+                                                  // For a single sample, the region contains a square of the sample's
+                                                  // tangent plane.
                                                   : 0.5 * diagonal;
     geometry::Bounds region = bounds.grown(margin);
     const auto inside = [&] {

@@ -90,9 +90,10 @@ struct LayerCandidates {
     base::Array<Projection> projection;
     std::uint32_t rounds = 0;
     double trials = 0.0;
-    std::int64_t near = 0;    // the number of projections whose trials are inside the band
-    std::int64_t strayed = 0; // the number of these projections that are outside the region or in no cell of it
-    bool all_bent = false;    // True if one step is not enough even where the planes of cells are correct.
+    std::int64_t near = 0; // the number of projections whose trials are inside the band
+    // The number of projections counted in `near` that are outside the region or in no cell of it.
+    std::int64_t strayed = 0;
+    bool all_bent = false; // True if one step is not enough even where the planes of cells are correct.
 };
 
 // `wanted`: the number of candidates of the whole surface.

@@ -333,8 +333,8 @@ using Patch = std::span<const std::int32_t>; // the numbers of a patch's faces
         if (any > 0) around.push_back(std::abs(way[face] - way[face_at(found)]));
     }
     if (around.empty() || 2 * around.size() < static_cast<std::int64_t>(count)) return infinite;
-    // The lower quartile is more robust than the minimum: where a flank ends in a flat, a short path leads to a place
-    // above.
+    // The lower quartile is more robust than the minimum. Where a flank ends in a flat, a few faces have a very short
+    // path to a place above them.
     double* const quarter = around.begin() + around.size() / 4;
     std::nth_element(around.begin(), quarter, around.end());
     return *quarter;
