@@ -39,7 +39,7 @@ public:
     [[nodiscard]] const implicit::CsgPlan& planned() const noexcept { return *plan_; }
     void finish(const geometry::Bounds& bounds);
 
-    // These are valid after finish():
+    // These functions may be called after finish().
     [[nodiscard]] const implicit::Csg& function() const noexcept { return *function_; }
     [[nodiscard]] const implicit::Implicit& implicit_for(double evaluations, const base::Progress& progress) const;
     [[nodiscard]] const implicit::CsgTree& tree() const noexcept { return tree_; }

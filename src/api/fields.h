@@ -72,7 +72,7 @@ struct Between { // numbers between two ends, which are allowed, too
     }
 };
 
-struct StrictlyBetween { // neither end is allowed
+struct StrictlyBetween { // numbers between two ends, which are not allowed
     double low, high;
     template <class T>
     void operator()(const Checks& checks, const char* field, T value) const {
@@ -113,7 +113,7 @@ struct NotNull { // a pointer that must not be NULL
 };
 
 template <class Rule>
-struct AllNumbers { // the numbers of an array, all under the field's name
+struct AllNumbers { // the elements of an array; messages have the field's name
     Rule rule;
     template <class T, std::size_t count>
     void operator()(const Checks& checks, const char* field, const T (&values)[count]) const {
@@ -124,7 +124,7 @@ template <class Rule>
 AllNumbers(Rule) -> AllNumbers<Rule>;
 
 template <class Rule>
-struct IndexedNumbers { // the numbers of an array, each under its own name, "field[2]"
+struct IndexedNumbers { // the elements of an array; messages have the element's name, such as "field[2]"
     Rule rule;
     template <class T, std::size_t count>
     void operator()(const Checks& checks, const char* field, const T (&values)[count]) const {

@@ -39,7 +39,7 @@ private:
     mutable std::atomic<std::int64_t> references_{1};
 };
 
-// Scratch of the calls that read a drawing. They take a const handle, and may run on several threads at once.
+// Working memory for the calls that read a drawing. These take a const handle, and may run on several threads at once.
 struct DrawingScratch {
     explicit DrawingScratch(const base::Runtime& runtime) noexcept : rasters(runtime), vertices(runtime) {}
 

@@ -224,10 +224,11 @@ void log_fit(const base::Runtime& runtime, const fit::FitReport& report) {
                     static_cast<long long>(report.rescaled_normals));
 }
 
-// Returns the fitted model with a box that also holds its surface where that closes around samples along curves.
+// Returns the fitted model with a larger box, if samples lie along curves. The box then also contains the surface that
+// closes around these samples.
 hrbfnpr_model* with_closed_bounds(hrbfnpr_model* fitted, const geometry::VecArray& samples,
                                   const base::Progress& progress) {
-    const HandleHold<hrbfnpr_model> whole(fitted); // owns the model from here on
+    const HandleHold<hrbfnpr_model> whole(fitted); // This object now owns the model.
     release_handle(fitted);
     auto& surface = *std::get_if<implicit::Hrbf>(&fitted->surface);
     surface.set_bounds(generate::closed_bounds({fitted->runtime(), progress}, surface, samples));

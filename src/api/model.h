@@ -52,11 +52,12 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         const auto* solid = std::get_if<std::unique_ptr<hrbfnpr::api::CsgSolid>>(&surface);
         return solid != nullptr ? solid->get() : nullptr;
     }
-    // The model without the trim: itself, if it is not trimmed.
+    // Returns the model without its trim, or this model if it is not trimmed.
     [[nodiscard]] const hrbfnpr_model& untrimmed() const noexcept {
         return untrimmed_ != nullptr ? *untrimmed_ : *this;
     }
-    // Records that no end of the surface was found, as for a closed one.  Call it before other threads know the model.
+    // Stores that no end of the surface was found, for example because the surface is closed. It must be called before
+    // other threads use the model.
     void set_trim_report(const hrbfnpr::generate::TrimReport& found) noexcept { trim_.report = found; }
     [[nodiscard]] const hrbfnpr::generate::FoundTrim& trim() const noexcept { return trim_; }
     // Returns the model's function, prepared if that saves time for this number of evaluations. The first such call
@@ -68,7 +69,7 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&untrimmed().surface);
         return hrbf != nullptr ? &hrbf->data() : nullptr;
     }
-    // nullptr for a model without sheets.
+    // Returns nullptr if the model has no sheets.
     [[nodiscard]] const hrbfnpr::implicit::SheetTreeData* pieces() const noexcept {
         const auto* made = std::get_if<hrbfnpr::implicit::SheetTree>(&untrimmed().surface);
         return made != nullptr ? &made->data() : nullptr;
@@ -87,8 +88,8 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
 
     std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::SheetTree, hrbfnpr::implicit::Custom,
                  std::unique_ptr<hrbfnpr::api::CsgSolid>, std::monostate>
-        surface; // std::monostate in a trimmed model: see untrimmed()
-    // These two are valid in untrimmed() only.
+        surface; // std::monostate in a trimmed model, whose function is that of whole()
+    // `report` and `history` are set only in whole().
     hrbfnpr::fit::FitReport report;
     // The residuals after the iterations of a fit; empty if the model is not a fit.
     hrbfnpr::base::Array<double> history;
@@ -97,13 +98,13 @@ private:
     // The number of ways to prepare a model. Way 0 prepares the HRBF, or the zones of the pieces. Way 1 prepares both
     // zones and sheets.
     static constexpr std::size_t ways = 2;
-    // Returns the way that saves time for this number of evaluations, or `ways` if none does.
+    // Returns the way that saves time for this number of evaluations, or `ways` if no way does.
     [[nodiscard]] std::size_t preparation_for(double evaluations) const noexcept;
     [[nodiscard]] std::unique_ptr<hrbfnpr::implicit::Implicit> prepare(std::size_t way,
                                                                        const hrbfnpr::base::Progress& progress) const;
     [[nodiscard]] const hrbfnpr::implicit::Implicit& trimmed(const hrbfnpr::implicit::Implicit& prepared) const;
 
-    const hrbfnpr_model* untrimmed_ = nullptr; // the model that this one trims; null: not trimmed
+    const hrbfnpr_model* untrimmed_ = nullptr; // the model without the trim; null if this model is not trimmed
     hrbfnpr::generate::FoundTrim trim_;
     std::optional<hrbfnpr::implicit::Trimmed> trimmed_;
     mutable std::mutex preparing_;
@@ -112,6 +113,6 @@ private:
         std::unique_ptr<hrbfnpr::implicit::Implicit> implicit; // null if the prepared function would not be accurate
     };
     mutable std::array<Preparation, ways> preparations_;
-    // The prepared functions of untrimmed(), each with this model's trim, at the same index as in preparations_.
+    // The prepared functions of whole() with this model's trim, in the order of preparations_.
     mutable std::array<std::optional<hrbfnpr::implicit::Trimmed>, ways> ready_trimmed_;
 };

@@ -211,7 +211,7 @@ hrbfnpr_model* read_model(hrbfnpr_context& context, io::Reader& reader) {
     io::ModelFile file = io::load_model(context.runtime.memory, reader);
     auto* const model = file.tree.empty() ? model_of(context, file) : tree_of(context, file);
     if (file.trim.position.empty()) return model;
-    const HandleHold<hrbfnpr_model> whole(model); // owns the model from here on
+    const HandleHold<hrbfnpr_model> whole(model); // This object now owns the model.
     release_handle(model);
     return make_handle<hrbfnpr_model>(context, *model, trim_of(context.runtime, file.trim));
 }

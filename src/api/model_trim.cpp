@@ -160,7 +160,7 @@ generate::FoundTrim trim_of_fit(const hrbfnpr_model& fitted, const geometry::Vec
 
 hrbfnpr_model* ended_model(hrbfnpr_model* fitted, const geometry::VecArray& position, const geometry::VecArray& normal,
                            const generate::TrimSettings& settings, const base::Progress& progress) {
-    const HandleHold<hrbfnpr_model> whole(fitted); // owns the model from here on
+    const HandleHold<hrbfnpr_model> whole(fitted); // This object now owns the model.
     release_handle(fitted);
     generate::FoundTrim found = trim_of_fit(*fitted, position, normal, settings, progress);
     progress.update(1.0);

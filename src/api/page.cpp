@@ -37,7 +37,7 @@ using output::ShapeSettings;
 constexpr std::int64_t most_items = 4096;
 constexpr std::int64_t most_pens = 4096;
 constexpr std::int64_t most_annotations = 10000000;
-constexpr double farthest_place = 1e6; // mm
+constexpr double farthest_place = 1e6; // The largest coordinate, in mm.
 constexpr std::int64_t annotations_per_check = 1024;
 constexpr std::uint32_t known_flags =
     HRBFNPR_PAGE_IN_PLOT_ORDER | HRBFNPR_PAGE_SINGLE_PASS | HRBFNPR_PAGE_WITHOUT_PAPER;

@@ -94,7 +94,7 @@ void for_blocks(std::int64_t count, std::int64_t block_size, const base::Progres
     }
 }
 
-// Writes a number. Throws if it is finite but too large for the caller's float.
+// Writes a number. Throws if it is finite, but too large for the caller's floats.
 class CheckedOutput {
 public:
     explicit CheckedOutput(const char* name) noexcept : name_(name) {}

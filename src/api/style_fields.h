@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The field tables of styles. Each row checks a field, copies it to the settings of the frame, and contains its
-// default.
+// The field tables of styles. IndexedNumbers row checks a field, copies it to the settings of the frame, and contains
+// its default.
 #pragma once
 
 #include "api/fields.h"
@@ -35,7 +35,7 @@ inline constexpr rule::Between pixels{0.0, largest_radius};
 inline constexpr rule::PositiveUpTo radius{largest_radius};
 inline constexpr rule::Between share{0.0, 1.0};
 inline constexpr rule::PositiveUpTo some{1.0};
-inline constexpr rule::Between factor{0.0, 16.0}; // multiplies a line's or a pen's width
+inline constexpr rule::Between factor{0.0, 16.0}; // The range of factors for the width of a line or pen.
 inline constexpr auto ink = rule::IndexedNumbers{share};
 
 } // namespace style_rule

@@ -45,7 +45,7 @@ std::int64_t checked_stride(const void* data, std::int64_t count, std::int64_t s
         fail(Status::invalid_argument,
              "%s.stride is %lld, but an element has %lld bytes; it must be 0, at least that, or at most its negative",
              name, static_cast<long long>(stride), static_cast<long long>(element));
-    // -stride would overflow for the lowest number.
+    // The lowest number has no positive counterpart, so -stride would overflow.
     const std::int64_t step = stride == std::numeric_limits<std::int64_t>::min() ? longest
                               : stride < 0                                       ? -stride
                                                                                  : stride;

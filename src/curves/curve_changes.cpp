@@ -21,15 +21,15 @@ struct Change {
     double share = 0.5; // the position on the piece that was evaluated last; in the end, the zero
 };
 
-// A place on the cubic between two points of a curve, to be brought onto the curve.
+// A place on the cubic between two points of a curve. It is to be moved onto the curve.
 struct CubicPlace {
     CurvePoint a, b;
     double share;
     CurvePoint found = {};
-    bool left_curve = false; // whether it moved to another curve; then `found` stays on the cubic
+    bool left_curve = false; // True if the place moved to another curve. `found` is then the place on the cubic.
 };
 
-// Brings places onto their curves by one or two Newton steps. Adds to `evaluations`.
+// Moves places onto their curves by one or two Newton steps. Adds to `evaluations`.
 void bring_to_curves(const base::Work& work, const Level& level, base::Array<CubicPlace>& places,
                      std::int64_t& evaluations) {
     base::Array<CurvePoint> points(work.memory, places.size());
@@ -55,7 +55,7 @@ template <class Value>
 base::Array<CurvePoint> find_zeros(const base::Work& work, const Level& level, const Curves& curves,
                                    base::Array<Change>& changes, Value&& value, std::int64_t& evaluations) {
     base::Array<CurvePoint> found(work.memory, changes.size());
-    // The piece between the ends of each search. Its ends are on the curve.
+    // For each search, the piece between its two ends, which are on the curve.
     base::Array<CubicPlace> ends(work.memory);
     base::Array<std::int64_t> active(work.memory);
     for (std::int64_t i = 0; i < changes.size(); ++i) {
@@ -123,7 +123,7 @@ bool changes_between(const CurvePoint& a, const CurvePoint& b, const View& view)
 Curves refined_at_cusps(const base::Work& work, const Level& contour, const View& view, const Curves& curves,
                         std::int64_t& evaluations) {
     base::Array<CubicPlace> places(work.memory);
-    base::Array<std::int64_t> piece(work.memory); // the first point of each place's piece
+    base::Array<std::int64_t> piece(work.memory); // for each place: the first point of its piece
     for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
         if (!changes_between(curves.point[at], curves.point[next], view)) return;
         for (const double u : inner_shares) {
@@ -213,7 +213,7 @@ Curves finer_curves(const base::Work& work, const Level& contour, const View& vi
     HRBFNPR_ASSERT(static_cast<std::int64_t>(marked.size()) == curves.point.size());
     struct FinePoint {
         CurvePoint point;
-        bool halved; // whether the piece that begins here is to be halved
+        bool halved; // true if the piece that begins at this point must be halved
     };
     Chains<FinePoint> fine(work.memory); // the curves that have a marked piece
     base::Array<std::uint8_t> changes(work.memory, curves.count());

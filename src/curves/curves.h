@@ -141,14 +141,14 @@ struct NewtonSettings {
 std::int64_t bring_to_curve(const base::Work& work, const Level& level, const NewtonSettings& settings,
                             base::Array<CurvePoint>& points, base::Array<std::uint8_t>& found);
 
-// Two places of the surface near each other, with g < 0 at the first and g >= 0 at the second, so that g has a zero
-// between them.
+// Two places on the surface, near each other, with g < 0 at the first and g >= 0 at the second. So g has a zero between
+// them.
 struct Bracket {
     glm::dvec3 negative, positive;
 };
 
-// Finds a zero of g between each pair of places by bisection on the surface. Each point is within 2^-halvings of the
-// places' distance of a zero. Returns the number of evaluations.
+// Finds a zero of g between each pair of places by bisection on the surface. The distance of the result from a zero is
+// at most 2^-halvings times the distance of the places. Returns the number of evaluations.
 std::int64_t bisect(const base::Work& work, const Level& level, const base::Array<Bracket>& places, int halvings,
                     base::Array<CurvePoint>& points);
 
@@ -268,7 +268,7 @@ public:
                               std::int64_t& guess) const;
 
 private:
-    // Examines the pieces on both sides of a point, and sets `best` to their nearest place if that is nearer.
+    // Examines the two pieces at a point. If their nearest place is nearer than `best`, sets `best` to it.
     void examine_adjacent_pieces(std::int64_t point, const glm::dvec3& place, const glm::dvec3& along,
                                  Foot& best) const noexcept;
 

@@ -102,15 +102,15 @@ template <class MayEnter>
 
 // A place on an edge of the mesh where g changes its sign.
 struct EdgeCrossing {
-    std::int32_t negative, positive; // vertices
-    Bracket edge;                    // their positions
+    std::int32_t negative, positive; // the numbers of the edge's two vertices
+    Bracket edge;                    // the positions of the two vertices
     glm::dvec3 place;                // by linear interpolation
-    glm::dvec3 way;                  // the chain's direction, from the previous place to the next one
+    glm::dvec3 way;                  // The direction of the chain, from the previous bead to the next one.
 };
 
-// Finds the crossings along each chain of edges from the values of g at the vertices; 0 counts as positive. Negative g
-// lies to the left of a chain as seen from outside: chains run in the direction of grad f x grad g. The same bits for
-// any thread count.
+// Finds the beads along each chain of edges, from the values of g at the vertices. The value 0 counts as positive. As
+// seen from outside, negative g is to the left of a chain, so chains run in the direction of grad f x grad g. The
+// result has the same bits for any number of threads.
 [[nodiscard]] Chains<EdgeCrossing> find_edge_crossings(const base::Runtime& runtime, const SurfaceMesh& mesh,
                                                        const base::Array<double>& level);
 

@@ -128,8 +128,8 @@ double bulge_of(const SurfaceMesh& mesh, std::int64_t triangle) noexcept {
     return curve_tuning.least_bulge * mesh.side + 0.5 * longest * std::min(sine, 1.0);
 }
 
-// Finds the line's range in a prism that contains the triangle and all places within its bulge, and the place where the
-// line crosses the triangle.
+// Finds the range of a line inside a prism that contains the triangle and all places within its bulge, and the place
+// where the line crosses the triangle.
 void add_triangle_range(const std::array<glm::dvec3, 3>& corner, double bulge, const Line& line,
                         base::Array<Range>& ranges, base::Array<TriangleCrossing>& crossings) {
     const std::array<glm::dvec3, 3> p{corner[0] - line.origin, corner[1] - line.origin, corner[2] - line.origin};

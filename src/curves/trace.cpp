@@ -67,7 +67,7 @@ bool is_between(const CurvePoint& m, const CurvePoint& a, const CurvePoint& b) n
            glm::dot(m.direction(), way) > 0.0;
 }
 
-// Drops points near which a longer run passes, as where the mesh crosses a curve to and fro.
+// Drops points that are near a longer run. They occur where the mesh crosses a curve back and forth.
 Curves without_duplicates(const base::Runtime& runtime, const Curves& runs, double distance, double longest) {
     const NearCurves near(runs, longest, distance);
     base::Array<std::uint8_t> is_duplicate(runtime.memory, runs.point.size());
@@ -95,7 +95,8 @@ Curves without_duplicates(const base::Runtime& runtime, const Curves& runs, doub
     return kept;
 }
 
-// Chooses places from each chain of crossings at a fixed share of the longest step. Only positions are set.
+// Chooses some beads of each chain as starts, at a fixed share of the longest step from each other. Sets only their
+// positions.
 Curves starts_of(const base::Runtime& runtime, const SurfaceMesh& mesh, const Chains<EdgeCrossing>& crossings,
                  const TraceSettings& settings) {
     Curves starts(runtime.memory);
@@ -113,7 +114,8 @@ Curves starts_of(const base::Runtime& runtime, const SurfaceMesh& mesh, const Ch
     return starts;
 }
 
-// Thins starts with known directions to the distance of starts from crossings; they stay closer where the curve turns.
+// Reduces starts with known directions to about the same distance as starts from beads. Where the curve turns, they
+// stay closer.
 Curves thinned(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curves& starts,
                const TraceSettings& settings) {
     const double apart = curve_tuning.chosen_apart * settings.longest * mesh.side;
@@ -234,7 +236,7 @@ struct Path {
     PathEnd end = PathEnd::none;
 };
 
-// A point of a path, and the index of the point before it; -1: it is the first.
+// A point of a path, with the index of the point before it, or -1 for the first point.
 struct PathPoint {
     CurvePoint point;
     std::int64_t before;
@@ -256,7 +258,7 @@ struct Paths {
     const TraceSettings& settings;
     base::Array<Path> path;
     base::Array<PathPoint> passed;
-    // The two paths of each run, and the run whose path leads to it; -1: none.
+    // The two paths of each run, and the run whose path leads to it. -1 if there is none.
     base::Array<std::int64_t> forward, backward, before;
     base::Array<std::uint8_t> passed_by; // 1 if another path passes this run, which is then left out
     base::Array<std::int32_t> run_of;    // for each point of the runs: its run
@@ -459,8 +461,9 @@ void follow(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
         std::int64_t& before = paths.before[path.met];
         if (before < 0 || path.met_point < paths.path[paths.forward[before]].met_point) before = path.start;
     }
-    // If two paths meet the same run, and no path leads to the run of one of them, the other path has passed that run
-    // at a kink, and the run is left out. If this loses a curve, its changes of sign remain without a curve.
+    // If two paths meet the same run, and no path leads to the run where one of them starts, the other path has passed
+    // that starting run at a kink. The starting run is then left out. If a curve is lost by this, its changes of sign
+    // remain uncovered.
     for (std::int64_t r = 0; r < runs.count(); ++r) {
         const std::int64_t met = runs.closed[r] != 0 ? -1 : paths.path[paths.forward[r]].met;
         if (met < 0 || paths.before[met] == r) continue;
@@ -551,12 +554,12 @@ void evaluate_on_surface(const base::Work& work, const Level& level, double near
     for (std::int64_t k = 0; k < which.size(); ++k) points[which[k]] = off[k];
 }
 
-// Finds loops of g = 0 that pass between the vertices of the mesh. Each goes round an extremum of g near a vertex where
-// |g| is least. Searches for these extrema by Newton's steps; where g changes its sign on the way, returns the places
-// on both sides. Adds to `evaluations`.
+// Finds loops of g = 0 that lie between the vertices of the mesh. Such a loop surrounds an extremum of g, near a vertex
+// where |g| is least. The extremum is searched for by Newton's method. If g changes its sign on the way, the places on
+// both sides are returned. Adds to `evaluations`.
 base::Array<Bracket> find_small_loops(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
                                       const base::Array<double>& at_vertices, std::int64_t& evaluations) {
-    // A search evaluates three points: its place and one next to it in each tangent direction.
+    // A search evaluates three points: its place, and a neighbour in each of two tangent directions.
     HRBFNPR_ASSERT(at_vertices.size() == mesh.vertices());
     const double side = mesh.side;
     const double probe = curve_tuning.probe * side;
@@ -571,7 +574,7 @@ base::Array<Bracket> find_small_loops(const base::Work& work, const Level& level
         active.push_back({vertex, mesh.position[vertex], u, glm::cross(n, u)});
     }
     base::Array<Bracket> found(work.memory);
-    // Makes a Newton step to a zero of grad g in the tangent plane, with finite differences between the three points.
+    // Makes a Newton step towards a zero of grad g in the tangent plane, by finite differences between three points.
     // Returns whether the search continues.
     const auto go_on = [&](Search& search, const CurvePoint* three) {
         const glm::dvec3 vertex = mesh.position[search.vertex];
@@ -624,7 +627,7 @@ base::Array<Bracket> find_small_loops(const base::Work& work, const Level& level
 
 // ---- Starts
 
-// The curves found until now, and the arguments of trace().
+// The curves found so far, and the arguments of trace().
 struct TraceState {
     const base::Work& work;
     const Level& level;
@@ -644,7 +647,7 @@ base::Array<EdgeCrossing> crossings_without_curve(const TraceState& state, const
     const NearCurves near = state.near_curves();
     base::Array<std::uint8_t> is_covered(state.work.memory, crossings.size());
     state.work.for_chunks(crossings.size(), 512, [&](std::int64_t begin, std::int64_t end) {
-        std::int64_t guess = 0; // consecutive crossings lie along a curve
+        std::int64_t guess = 0; // Consecutive beads lie along a curve, so the search begins near the last result.
         for (std::int64_t i = begin; i < end; ++i)
             is_covered[i] =
                 near.passes(crossings[i].place, crossings[i].way, curve_tuning.covered * state.mesh.side, guess) ? 1
@@ -656,9 +659,9 @@ base::Array<EdgeCrossing> crossings_without_curve(const TraceState& state, const
     return left;
 }
 
-// Tells which points lie on a known curve. Near samples a cubic may deviate from its curve by some percent of its
-// length. In that case the nearest place on the cubic is brought onto the curve, and the point must lie on the tangent
-// there.
+// Returns for each point whether it is on a known curve. Near samples, a cubic may differ from its curve by some
+// percent of its length. The nearest place on the cubic is then moved onto the curve, and the point must be on the
+// tangent there.
 base::Array<std::uint8_t> on_curves(TraceState& state, const base::Array<CurvePoint>& points) {
     const double side = state.mesh.side;
     const NearCurves near = state.near_curves();
@@ -684,8 +687,8 @@ base::Array<std::uint8_t> on_curves(TraceState& state, const base::Array<CurvePo
     return on;
 }
 
-// Brings points onto curves, and follows the curves from those that are not on a known curve, once for each place.
-// Returns the indices of the points that could not be brought onto a curve.
+// Moves points onto curves. From points that are not on a known curve, it follows the curve, once for each place.
+// Returns the indices of the points that did not reach a curve.
 base::Array<std::int64_t> add_curves_from(TraceState& state, base::Array<CurvePoint> points) {
     base::Memory& memory = state.work.memory;
     const double side = state.mesh.side;
@@ -720,7 +723,7 @@ base::Array<std::int64_t> add_curves_from(TraceState& state, base::Array<CurvePo
     return lost;
 }
 
-// The same from zeros of g that bisection finds.
+// Follows curves from zeros of g, which bisection finds between two places.
 base::Array<Bracket> add_curves_from(TraceState& state, const base::Array<Bracket>& places) {
     base::Array<CurvePoint> points(state.work.memory);
     state.report.evaluations += bisect(state.work, state.level, places, curve_tuning.halvings, points);
@@ -729,7 +732,7 @@ base::Array<Bracket> add_curves_from(TraceState& state, const base::Array<Bracke
     return lost;
 }
 
-// The same from crossings without a curve: by Newton's steps, and by bisection where these fail.
+// Follows curves from uncovered beads. Newton's method moves the beads onto curves; where it fails, bisection is used.
 base::Array<Bracket> add_curves_from(TraceState& state, const base::Array<EdgeCrossing>& crossings) {
     const base::Array<EdgeCrossing> left = crossings_without_curve(state, crossings);
     base::Array<CurvePoint> points(state.work.memory, left.size());
@@ -739,12 +742,13 @@ base::Array<Bracket> add_curves_from(TraceState& state, const base::Array<EdgeCr
     return add_curves_from(state, edges);
 }
 
-// Meshes the places of changes of sign without a curve again with smaller cells. These need not connect parts that the
-// surface does not connect, as where |grad f| nearly vanishes. Returns the number of changes of sign that remain.
+// Meshes the surface again, with smaller cells, around changes of sign without a curve. Smaller cells also separate
+// parts that larger cells connect by mistake, for example where |grad f| nearly vanishes. Returns the number of changes
+// of sign that remain.
 std::int64_t trace_on_finer_mesh(TraceState& state, const base::Array<Bracket>& lost) {
     const base::Work work = state.work.without_progress();
     const SurfaceMesh& mesh = state.mesh;
-    base::Array<geometry::Bounds> boxes(work.memory); // boxes around places that are near each other
+    base::Array<geometry::Bounds> boxes(work.memory); // boxes around groups of places that are near each other
     geometry::VecArray seeds(work.memory);
     for (const Bracket& edge : lost) {
         seeds.push_back(edge.negative);

@@ -34,7 +34,7 @@ struct NextCentres {
     NextCentres(base::Memory& memory, const Smoothing& smooth) noexcept
         : centres(memory), off_surface(memory), smoothing(smooth) {}
 
-    bool continues = false; // false: the loop ends, and the other members are ignored
+    bool continues = false; // If false, the loop ends and the other members are ignored.
     base::Array<std::int64_t> centres;
     Samples off_surface;
     Smoothing smoothing;
@@ -48,7 +48,7 @@ struct AdaptiveSettings {
     bool keeps_last = false;
 };
 
-// Fits in rounds until the chooser ends the loop, or until most_rounds.
+// Makes fits in rounds, until the oracle ends the loop or `most_rounds` rounds are done.
 [[nodiscard]] AdaptiveFit fit_adaptively(const base::Work& work, const FitInput& input, const Samples& candidates,
                                          base::Array<std::int64_t> first, const Smoothing& smoothing,
                                          const AdaptiveSettings& settings, const CentreChooser& chooser);

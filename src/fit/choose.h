@@ -17,9 +17,9 @@ struct ChosenFit {
     double seconds_before = 0.0;       // the time of all rounds except the last
 };
 
-// Chooses the first centres by farthest-point sampling. Rounds then add the samples that the current fit misses most,
-// until all samples are within the tolerance or there are maximum_centres. The greedy choice is that of Carr et al.,
-// "Reconstruction and representation of 3D objects with radial basis functions", 2001, in batches.
+// Chooses the first centres by farthest-point sampling. Rounds then add the samples with the largest errors, until all
+// samples are within the tolerance or the number of centres is `maximum_centres`. The greedy choice is that of Carr et
+// al., "Reconstruction and representation of 3D objects with radial basis functions", 2001, in batches.
 [[nodiscard]] ChosenFit choose_and_fit(const base::Work& work, const FitInput& input, const Samples& samples,
                                        const Noise& noise);
 

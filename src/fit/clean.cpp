@@ -24,7 +24,7 @@ constexpr double agreement = 0.965925826289;
     return duplicate / spacings_of_farthest * glm::distance(samples.position[i], farthest);
 }
 
-// Returns how well a normal fits its neighbours': the sum of the cosines.
+// Returns the sum of the cosines between a sample's normal and its neighbours' normals.
 [[nodiscard]] double sum_of_cosines(const Samples& samples, const geometry::Neighbours& neighbours, std::int64_t i) {
     double sum = 0.0;
     for (const std::int64_t j : neighbours.of(i)) sum += glm::dot(samples.normal[i], samples.normal[j]);
@@ -34,8 +34,8 @@ constexpr double agreement = 0.965925826289;
 struct Duplicates {
     explicit Duplicates(base::Memory& memory) noexcept : representative(memory), contradicts(memory) {}
 
-    base::Array<std::int64_t> representative; // the sample that each is merged into, or itself
-    base::Array<std::uint8_t> contradicts;    // 1: the worse of two near samples with different normals
+    base::Array<std::int64_t> representative; // for each sample: the sample that it is merged into, or itself
+    base::Array<std::uint8_t> contradicts;    // 1 for the worse of two near samples with different normals
     std::int64_t merged = 0;
 };
 

@@ -73,7 +73,8 @@ CgOutcome ConjugateGradients::run(const CgState& state, double scale, double tol
     double rho = 0.0;
     while (!(outcome.residual <= tolerance) && outcome.iterations < limit) {
         preconditioner_.apply(r, z_.data(), progress);
-        polynomials_.make_orthogonal(z_.data()); // the factor's floats leave a small polynomial part
+        // The factor is stored in floats, so its products have a small polynomial part, which is removed.
+        polynomials_.make_orthogonal(z_.data());
         progress.check();
         const double rho_next = dot(r, z_.data());
         const double beta = outcome.iterations > 0 ? rho_next / rho : 0.0;

@@ -37,7 +37,7 @@ void check(const FitInput& input) {
 
 // Reports how far f(x_i) is from 0 and grad f(x_i) from n_i at the centres.
 void report_residuals(const ChosenFit& choice, const Samples& samples, FitReport& report) {
-    const double unit = choice.fit.result.data.scale; // avoids underflow in small units
+    const double unit = choice.fit.result.data.scale; // Dividing by the scale avoids underflow in small units.
     double value_sum = 0.0;
     double gradient_sum = 0.0;
     for (const std::int64_t i : choice.centres) {
@@ -53,7 +53,7 @@ void report_residuals(const ChosenFit& choice, const Samples& samples, FitReport
     report.gradient_residual_rms = std::sqrt(gradient_sum / count);
 }
 
-// Reports how far all samples are from the surface. `given` is the number of samples before any were dropped.
+// Reports how far all samples are from the surface. `given` is the number of samples before samples were dropped.
 void report_distances(const ChosenFit& choice, double tolerance, std::int64_t given, FitReport& report) {
     const double unit = choice.fit.result.data.scale;
     double sum = 0.0;

@@ -40,8 +40,8 @@ constexpr double radius_limit = 1e30;
     return radius;
 }
 
-// Returns k, by which normalised coordinates are larger than those whose diagonal is 1, in which regularization is
-// defined. There phi scales as k^m, alpha's row and column by k^(m/2) each, and beta's by k^(m/2 - 1).
+// Returns k, the ratio of normalised coordinates to coordinates with a diagonal of 1, which regularization is defined
+// for. phi scales as k^m, the row and column of alpha as k^(m/2) each, and those of beta as k^(m/2 - 1).
 [[nodiscard]] double scale_to_unit_diagonal(const implicit::HrbfData& data) {
     const double diagonal = data.bounds.diagonal();
     return diagonal > 0.0 ? diagonal / data.scale : 1.0;

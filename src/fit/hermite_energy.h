@@ -33,10 +33,10 @@ public:
 
     [[nodiscard]] std::int64_t size() const noexcept { return system_.samples(); }
 
-    // Returns the energy by the sparse factor, and writes beta (half the derivative).
+    // Returns the energy by the sparse factor. Writes beta, which is half the energy's derivative by the normals.
     double approximate_energy(const geometry::VecArray& normal, geometry::VecArray& beta,
                               const base::Progress& progress = {});
-    // Returns the energy by conjugate gradients, to this relative residual.
+    // Returns the energy. Solves by conjugate gradients until the relative residual reaches `tolerance`.
     double accurate_energy(const geometry::VecArray& normal, geometry::VecArray& beta, double tolerance,
                            const base::Progress& progress);
 

@@ -23,7 +23,8 @@ constexpr double headroom = 0.8;
 constexpr std::int64_t few_samples = 2048;
 constexpr std::int64_t some_samples = 512;
 
-// The system in the k-d tree's order, in which samples that are near in space are near in memory.
+// The system with its samples sorted in the order of a k-d tree. Samples that are near in space are then near in
+// memory.
 class OrderedSystem {
 public:
     OrderedSystem(const base::Work& work, const HermiteSystem& system)
@@ -127,7 +128,8 @@ private:
         return solution.converged;
     }
 
-    // Returns to the start of the last iterations, since a product that is not definite leads away.
+    // Restores the state before the last iterations, because a product that is not definite leads away from the
+    // solution.
     void restore_last_start(const base::Progress& progress) {
         std::swap(w_, w_before_);
         find_residual(progress);
@@ -140,10 +142,11 @@ private:
         for (std::int64_t i = 0; i < size_; ++i) r_[i] = h_[i] - r_[i];
         c_.fill(0.0);
         polynomials_.subtract_best_polynomial(r_.data(), c_.data());
-        polynomials_.subtract_best_polynomial(r_.data(), c_.data()); // removes the rest that rounding left
+        polynomials_.subtract_best_polynomial(r_.data(),
+                                              c_.data()); // Removes the polynomial part that rounding has left in r.
     }
 
-    // Estimates how far r is from the true residual (relative, 2-norm) from some of the samples.
+    // Estimates from some samples how far r is from the true residual (relative, 2-norm).
     [[nodiscard]] double estimate_residual_drift(const base::Progress& progress) {
         const std::int64_t stride = std::max<std::int64_t>(1, size_ / 4 / some_samples);
         const base::Array<double> product = product_.multiply_some(w_.data(), stride, progress);

@@ -21,16 +21,16 @@ struct LocalSystems {
     double radius;
     double value_diagonal; // the number that regularization adds to the diagonal for values
     double gradient_diagonal;
-    bool orthogonal_to_linear; // make the columns orthogonal to the linear polynomials
-    std::int32_t set_size;     // samples in each set, 2 to largest_set
-    std::int64_t count;        // number of sets
+    bool orthogonal_to_linear; // makes the columns orthogonal to the linear polynomials
+    std::int32_t set_size;     // the number of samples in each set, 2 to largest_set
+    std::int64_t count;        // the number of sets
 
     static constexpr std::int32_t largest_set = 49;
 };
 
-// Returns the working memory that one call needs, in doubles.
+// Returns the working memory of one call, as a number of doubles.
 [[nodiscard]] std::int64_t local_factor_scratch_size(base::InstructionSet set, std::int32_t set_size) noexcept;
-// Returns how many sets are factored together. Calls with a multiple of it waste nothing.
+// Returns how many sets are factored together. Calls with a multiple of this number are the fastest.
 [[nodiscard]] std::int64_t local_factor_batch(base::InstructionSet set) noexcept;
 
 // position: coordinate c of sample m of set k is at [(k * set_size + m) * 3 + c].

@@ -10,21 +10,22 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// A group of a sample's neighbours, by rank in distance. It has several: among nearly equally near ones the noise
-// decides which is nearest, and favours similar noise.
+// A group of neighbours of each sample, from one rank in distance to another. A group has several neighbours: with only
+// the nearest, the noise itself would choose the neighbour, and favour a neighbour with similar noise.
 struct RankRange {
     std::size_t begin;
     std::size_t end;
 };
 constexpr std::array<RankRange, 5> groups{{{0, 4}, {4, 8}, {8, 16}, {16, 24}, {24, 32}}};
-constexpr std::int64_t looked_at = 32768; // samples, evenly taken; enough for a median
-constexpr std::size_t terms = 3;          // a, b, c
+constexpr std::int64_t looked_at = 32768; // samples for the median, evenly taken from all samples
+constexpr std::size_t terms = 3;          // the number of coefficients: a, b and c
 
 // The median absolute value of a Gaussian variable, in standard deviations.
 constexpr double gaussian_median = 0.6744897501960817;
 // The median distance between two noisy copies of a unit vector, in standard deviations: 2 sqrt(ln 2).
 constexpr double turn_median = 1.6651092223153954;
-// Pairs whose normals have a smaller cosine are ignored: an edge is between their samples, or they are on two sheets.
+// PairStatistics whose normals have a smaller cosine are ignored: an edge is between their samples, or they are on two
+// sheets.
 constexpr double same_side = 0.5;
 // If the noise explains less than this share of the nearest neighbours' variance, it may be only an error of the model
 // (noise.h).
@@ -32,7 +33,7 @@ constexpr double least_share = 0.5;
 // Smaller estimates of the noise, in diagonals, count as rounding of coordinates to floats.
 constexpr double rounding = 1e-7;
 
-// The typical distance, variance and turn of the pairs of one group.
+// The typical distance, variance and change of normal over the pairs of one group.
 struct PairStatistics {
     double distance = 0.0;
     double variance = 0.0;

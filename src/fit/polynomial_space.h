@@ -25,9 +25,9 @@ public:
 
     // x -= Q Q^T x
     void make_orthogonal(double* x) const;
-    // Adds to c the coefficients for which their polynomial is nearest to x, and subtracts that polynomial from x.
+    // Finds the polynomial nearest to x, adds its coefficients to c, and subtracts it from x.
     void subtract_best_polynomial(double* x, double* c) const;
-    // Returns P c at one sample.
+    // Returns the value and gradient of the polynomial P c at one sample.
     [[nodiscard]] std::array<double, 4> at(std::int64_t sample, const double* c) const noexcept;
 
 private:

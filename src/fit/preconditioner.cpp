@@ -21,8 +21,8 @@ namespace {
 
 constexpr std::int64_t corrections_a_task = 256; // samples per task
 
-// Returns Z, whose transpose subtracts from the functionals of `at` their Taylor expansions about sample 0. Sample 0
-// has the first rows.
+// Returns Z. Its transpose subtracts from the functionals at `at` their Taylor expansions about sample 0. Sample 0 has
+// the first rows.
 [[nodiscard]] Eigen::MatrixXd orthogonal_to_linear(const geometry::PointTree& tree,
                                                    const base::Array<std::int64_t>& at) {
     const auto count = static_cast<Eigen::Index>(at.size());

@@ -56,7 +56,7 @@ private:
 
     const base::Runtime& runtime_;
     std::int64_t samples_;
-    std::int32_t set_size_; // the neighbours, then the sample itself
+    std::int32_t set_size_; // the number of neighbours, plus 1 for the sample itself
     bool orthogonal_to_linear_;
     base::Array<std::int64_t> coarse_; // the samples of the dense block
     std::int64_t coarse_columns_ = 0;

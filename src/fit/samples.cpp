@@ -51,8 +51,8 @@ constexpr double rescaled_by = 1e-4;
     return scaled / length;
 }
 
-// A sample's position along a fixed direction. Samples that are close in this order are mostly close in space too. The
-// exception is samples on a plane across the direction, so it is neither an axis nor a diagonal.
+// A sample's position along a fixed direction. Samples that follow each other in this order are mostly close in space.
+// The direction is neither an axis nor a diagonal, because shapes often have planes perpendicular to these.
 struct SampleOnLine {
     double key;
     std::int64_t index;
@@ -108,7 +108,7 @@ void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
     return representative;
 }
 
-// Returns the distance from order[at] to the nearest other sample.
+// Returns the distance from sample order[at] to the nearest other sample.
 [[nodiscard]] double nearest(const geometry::VecArray& position, const base::Array<SampleOnLine>& order,
                              std::int64_t at) {
     double best = HUGE_VAL;

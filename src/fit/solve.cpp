@@ -27,8 +27,8 @@ constexpr double exact_enough = 1e-8;
 
 constexpr std::int32_t second_neighbours = 48;
 
-// Tuned on the Stanford dragon's 435 545 vertices. Smaller: the iterations break down. Much larger: the preconditioner
-// does not match the system.
+// The regularization of values that soften() adds. Smaller: the iterations break down. Much larger: the preconditioner
+// does not match the system. Set on the 435 545 vertices of the Stanford dragon.
 constexpr double regularization_of_values = 1.0;
 constexpr double regularization_of_gradients = 1e-6;
 constexpr double regularized_tolerance = 3e-4;
@@ -46,7 +46,7 @@ constexpr double regularized_tolerance = 3e-4;
     return options.degree + 1 >= kernel::order(options.kernel);
 }
 
-// Tells whether the iterations stopped near the goal, and the result is good enough.
+// Returns whether rounding stopped the iterations near the goal, and the result is accurate enough.
 [[nodiscard]] bool is_limited_by_rounding(const HermiteSystem& system, const SolveOptions& options,
                                           const Solution& solution) noexcept {
     if (solution.converged || solution.iterations >= options.iterations) return false;
@@ -55,16 +55,16 @@ constexpr double regularized_tolerance = 3e-4;
     return !direct_is_better && solution.residual <= options.acceptable;
 }
 
-// Solves again with a little regularization, which bounds the weights of samples that contradict each other, and to a
-// tolerance that the product of these weights can reach.
+// Solves again with a little regularization. This bounds the weights of samples that contradict each other. The
+// tolerance is one that products with these weights can reach.
 void solve_regularized(const base::Work& work, const HermiteSystem& system, const double* rhs, SolveOptions options,
                        std::int32_t neighbours, Solution& solution) {
     HermiteSystem::Options regularized = system.options();
-    // The caller's choice stays.
+    // A regularization chosen by the caller is kept.
     if (regularized.value_diagonal > 0.0 || options.acceptable <= options.tolerance) return;
     regularized.value_diagonal = solution.value_diagonal = regularization_of_values;
     regularized.gradient_diagonal = regularization_of_gradients;
-    options.product_tolerance = options.tolerance; // a looser product would not be definite
+    options.product_tolerance = options.tolerance; // A less accurate product would not be definite.
     options.tolerance = std::max(options.tolerance, regularized_tolerance);
     work.runtime().log(
         base::LogLevel::warning,

@@ -20,9 +20,9 @@ constexpr double isolated = 3.0;
 // planes.
 constexpr double stray = 1.0;
 constexpr double stray_of_neighbours = 4.0;
-// But a sample with `companions` companions is on another, sparser sheet. Companions are neighbours near its height
-// that agree in normal.
-constexpr double companion_height = 0.25; // in LocalStatistics::height
+// A sample with `companions` companions is no outlier, but on another, sparser sheet. Companions are neighbours at
+// about its height with a similar normal.
+constexpr double companion_height = 0.25; // in units of LocalStatistics::height
 constexpr double companion_cosine = 0.5;
 constexpr int companions = 3;
 
@@ -116,7 +116,8 @@ private:
         return median(values, near.size());
     }
 
-    // Returns the local usual distance. Where samples are heaped it is that of all samples.
+    // Returns the usual distance between samples around sample i. Where samples are crowded, it is the usual distance
+    // over all samples.
     [[nodiscard]] double typical_distance_near(std::int64_t i) const {
         return std::max(typical_distance_, median_of_neighbours(i, &LocalStatistics::distance));
     }
@@ -137,7 +138,7 @@ private:
         });
     }
 
-    // Tells whether a normal is flipped, given those that are turned already.
+    // Returns whether a normal is flipped. Normals that are turned already count as turned.
     [[nodiscard]] bool is_flipped(std::int64_t i) const {
         const auto near = neighbours_.of(i);
         std::size_t count = 0;
@@ -163,7 +164,7 @@ private:
         return glm::length(offset) < off_centre * statistics_[i].distance * static_cast<double>(count);
     }
 
-    // Turns the normals that are against their neighbours'. Returns false if it finds none.
+    // Turns the normals that are opposite to their neighbours'. Returns false if it finds none.
     bool flip_contrary() {
         base::Array<std::uint8_t> turned(runtime_.memory, statistics_.size());
         for_each([&](std::int64_t i) { turned[i] = found_.outlier[i] == 0 && is_flipped(i) ? 1 : 0; });

@@ -10,8 +10,8 @@ namespace {
 constexpr std::size_t most_neighbours = 8; // The largest number of neighbours that a sample represents.
 constexpr std::int64_t spacings_a_task = 512;
 
-// Returns the sum of two mean angles between a sample and its neighbours: of its normal to theirs, and of its position
-// above their tangent planes.
+// Returns the mean angle of a sample's normal to its neighbours' normals, plus the mean angle of its position above
+// their tangent planes.
 [[nodiscard]] double deviation_from_neighbours(const Samples& samples, const geometry::Neighbours& neighbours,
                                                std::int64_t i) {
     double height = 0.0;

@@ -66,7 +66,7 @@ public:
     [[nodiscard]] double count(std::int64_t i) const noexcept {
         return static_cast<double>(graph_.first[i + 1] - graph_.first[i]);
     }
-    // The sum of the neighbours' numbers as seen from node i.
+    // Returns the sum of the neighbours' numbers, as seen from node i.
     [[nodiscard]] Complex neighbour_sum(std::int64_t i, const Numbers& z) const noexcept {
         Complex sum(0.0);
         for (std::int64_t k = graph_.first[i]; k < graph_.first[i + 1]; ++k) {
@@ -118,7 +118,7 @@ double sum_over(const base::Work& work, std::int64_t nodes, const Value& value) 
     return all;
 }
 
-// The real part of conj(a) b.
+// Returns the real part of conj(a) b.
 double inner_product(const Complex& a, const Complex& b) noexcept { return a.real() * b.real() + a.imag() * b.imag(); }
 
 // Solves the system diagonal_i x_i - coupling * links.around(i, x) = right_i by conjugate gradients. The system must be
@@ -186,14 +186,14 @@ Link line_link(const SampleGraph& graph, std::int64_t i, std::int32_t j) noexcep
 
 // ---- The lines that the field should follow
 
-// Principal curvatures at each sample: their mean, and half their difference as a line.
+// The principal curvatures at each sample: their mean, and half of their difference as a line.
 struct AveragedCurvatures {
     base::Array<double> mean;
     Numbers difference;
 };
 
-// Averages curvatures with those of the neighbours. Each round spreads by about half a spacing, all rounds by about
-// four.
+// Averages curvatures with those of neighbours. Each round spreads them by about half a spacing, and all rounds
+// together by about four spacings.
 AveragedCurvatures average_curvatures(const marks::Site& site, const SampleGraph& graph, const Links& links) {
     base::Array<surface::Curvature> curvature(site.memory());
     surface::principal_curvatures(site.work, site.implicit, graph.position, curvature);
@@ -341,7 +341,7 @@ Numbers halved(const base::Work& work, const Links& links, const Numbers& wave, 
     return z;
 }
 
-// A sample near a vertex of the mesh.
+// A sample that influences a vertex of the mesh.
 struct WeightedSample {
     std::int64_t sample;
     double weight;
@@ -349,8 +349,8 @@ struct WeightedSample {
     Complex factor{1.0}; // the factor that transports the wave of the sample to the vertex
 };
 
-// Returns the unit line of a vertex from those of the samples around it; 0 if it has none. A line has no sign, so
-// angles are doubled before they are added.
+// Returns the unit line of a vertex as a mean of the lines of nearby samples, or 0 if the vertex has no line. Angles
+// are doubled before they are added, because lines have no sign.
 glm::dvec3 mean_line(const Waves& samples, const base::Array<WeightedSample>& nearby,
                      const glm::dvec3& normal) noexcept {
     const glm::dvec3 u = geometry::any_perpendicular(normal);
@@ -368,7 +368,7 @@ glm::dvec3 mean_line(const Waves& samples, const base::Array<WeightedSample>& ne
     return std::cos(angle) * u + std::sin(angle) * v;
 }
 
-// Interpolates the line of an existing vertex, and its waves.
+// Interpolates the line of a vertex, and its waves, from the samples around it.
 void interpolate(const Waves& samples, base::Array<WeightedSample>& nearby, const glm::dvec3& normal,
                  std::int64_t vertex, Waves& result) noexcept {
     const glm::dvec3 line = mean_line(samples, nearby, normal);
@@ -386,7 +386,7 @@ void interpolate(const Waves& samples, base::Array<WeightedSample>& nearby, cons
     for (std::int64_t level = 0; level < samples.level.size(); ++level) {
         Complex sum(0.0);
         for (WeightedSample& h : nearby) {
-            if (level > 0) h.factor = product(h.factor, h.factor); // half the period
+            if (level > 0) h.factor = product(h.factor, h.factor); // Each level has half the period of the one before.
             sum += h.weight * product(h.factor, conjugated_if(samples.level[level][h.sample], h.turned));
         }
         result.level[level][vertex] = sum / weights;

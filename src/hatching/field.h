@@ -124,7 +124,7 @@ struct Waves {
     base::List<Numbers> level;          // the waves, from coarse to fine
 };
 
-// Returns the wave as seen from a line that points in the opposite direction, or in the same one.
+// Returns a wave as seen from another line, which points in the opposite direction if `turned`.
 [[nodiscard]] inline Complex conjugated_if(const Complex& z, bool turned) noexcept { return turned ? std::conj(z) : z; }
 
 // Adds waves to the lines of samples: `levels` levels, or as many as the samples can represent.

@@ -26,18 +26,18 @@ struct Settings {
     FieldSettings field;
     marks::DirectionFunction direction; // A function whose directions replace the curvature.
 
-    // Returns whether lines of both settings can use one HatchingField.
+    // Returns whether both settings can share a HatchingField.
     [[nodiscard]] bool shares_field_with(const Settings& other) const noexcept;
 };
 
-// The data that lines of any angle share: the field, and the mesh on which the lines are found.
+// The data that does not depend on the angle of lines: the field, and the mesh on which lines are found.
 class HatchingField {
 public:
     HatchingField(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings);
 
     [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
     [[nodiscard]] double area() const noexcept { return area_; } // the area of the surface that the lines are laid on
-    // Appends marks, line after line, coarse levels first.
+    // Appends marks, line after line. Coarse levels come first.
     void place_lines(const marks::Site& site, const Settings& settings, marks::Marks& marks,
                      marks::LayerReport& report) const;
 

@@ -162,7 +162,8 @@ void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int
     }
 }
 
-// Follows open lines first, from an end, and then closed ones. Lines that cross only one edge are left out.
+// Follows the links, first of open lines, from one end, then of closed lines. Lines that cross only one edge are left
+// out.
 Lines follow_crests(const curves::SurfaceMesh& mesh, const Crossings& found, const base::Progress& progress) {
     Lines lines(mesh.position.memory());
     base::Array<std::uint8_t> taken(mesh.position.memory(), found.crossing.size());
@@ -190,14 +191,15 @@ Lines follow_crests(const curves::SurfaceMesh& mesh, const Crossings& found, con
     return lines;
 }
 
-// ---- Ends of lines
+// ---- LineEnds of lines
 
-// End 2 l is the begin of line l, and 2 l + 1 its end; `direction` points outwards.
+// The ends of lines. End 2 l is the start of line l, and 2 l + 1 is its end. `way` points outwards.
 struct LineEnds {
     geometry::VecArray place, direction;
 };
 
-// Points on mesh edges are only accurate to a fraction of a cell, so an end's direction is taken over several points.
+// Finds the ends of lines. The direction of an end is averaged over several points, because points on mesh edges are
+// exact only to a fraction of a cell.
 LineEnds ends_of(const Lines& lines, double reach) {
     LineEnds ends{geometry::VecArray(lines.first.memory()), geometry::VecArray(lines.first.memory())};
     for (std::int64_t l = 0; l < lines.count(); ++l)
@@ -215,7 +217,8 @@ LineEnds ends_of(const Lines& lines, double reach) {
     return ends;
 }
 
-// Over a tiny gap the direction across means nothing, so only the ends' directions count, with a larger tolerance.
+// Returns whether two ends face each other. Over a very small gap, the direction across it means nothing, so only the
+// directions of the ends are compared, with a larger tolerance.
 bool face_each_other(const LineEnds& ends, std::int64_t a, std::int64_t b, double reach) noexcept {
     const glm::dvec3 gap = ends.place[b] - ends.place[a];
     const double length = glm::length(gap);
@@ -225,7 +228,7 @@ bool face_each_other(const LineEnds& ends, std::int64_t a, std::int64_t b, doubl
     return length <= reach && glm::dot(ends.direction[a], gap) > least && glm::dot(ends.direction[b], gap) < -least;
 }
 
-// Returns the end that each end is joined to; -1: none. The nearest are joined first.
+// Returns for each end the end that it is joined to, or -1. The nearest pairs are joined first.
 base::Array<std::int64_t> pair_ends(const Lines& lines, const LineEnds& ends, double reach,
                                     const base::Progress& progress) {
     struct Pair {
@@ -256,8 +259,8 @@ base::Array<std::int64_t> pair_ends(const Lines& lines, const LineEnds& ends, do
     return partner;
 }
 
-// Appends the points of a line, starting at one of its ends. If ends overlap or lie side by side, points that would
-// lead back are left out.
+// Appends the points of a line, beginning at one of its ends. If two ends overlap or are side by side, points that
+// would lead back are left out.
 void add_line_from_end(const Lines& lines, const LineEnds& ends, std::int64_t end, Lines& result,
                        const base::Progress& progress) {
     const std::int64_t line = end / 2;
@@ -276,7 +279,7 @@ void add_line_from_end(const Lines& lines, const LineEnds& ends, std::int64_t en
 
 constexpr std::int64_t lines_a_task = 16;
 
-// The range of a line's points.
+// The range of points of one line.
 struct LineRange {
     std::int64_t begin, end;
     bool closed;
@@ -314,7 +317,7 @@ void move_between(geometry::VecArray& position, const LineRange& line, const Mov
     }
 }
 
-// Sets the unit tangents across a line; 0 where the line has no direction.
+// Sets unit tangents perpendicular to a line, or 0 where the line has no direction.
 void set_across(const Lines& lines, const LineRange& line, geometry::VecArray& across) {
     for (std::int64_t i = line.begin; i < line.end; ++i) {
         const std::int64_t last = line.before(i);
@@ -336,11 +339,12 @@ struct Neighbour {
     float sense = 0.0F;              // 1 if the neighbouring line's `across` points to the same side, else -1
 };
 
-// The neighbours of each point: first the one against its `across` direction, then the one along it.
+// The neighbours of each point: first on the side opposite to its `across` direction, then on the side of this
+// direction.
 using LineNeighbours = base::Array<std::array<Neighbour, 2>>;
 
-// Finds the neighbours of each point: on each side, the nearest place where the plane across the line meets another
-// line, or a distant part of the same line.
+// Finds the neighbours of each point: on each side, the nearest place where the plane perpendicular to its line meets
+// another line, or a distant part of the same line.
 void find_neighbours(const base::Work& work, const Lines& lines, const geometry::VecArray& across, double separation,
                      LineNeighbours& neighbours) {
     const double step = hatching_tuning.even_step;
@@ -351,7 +355,7 @@ void find_neighbours(const base::Work& work, const Lines& lines, const geometry:
     for_lines(work, lines, [&](const LineRange& line) {
         for (std::int64_t i = line.begin; i < line.end; ++i) next[i] = static_cast<std::int32_t>(line.after(i));
     });
-    // Points of the same line are neighbours only where it winds round.
+    // Two points of the same line are neighbours only where the line winds around.
     const auto is_apart = [&](const LineRange& line, std::int64_t i, std::int64_t j) {
         if (j < line.begin || j >= line.end) return true;
         const std::int64_t way = std::abs(i - j);
@@ -403,7 +407,7 @@ void find_neighbours(const base::Work& work, const Lines& lines, const geometry:
 
 // ---- Moves
 
-// Replaces the values along a line by an exponential mean, run forwards and backwards twice.
+// Averages the values along a line by an exponential mean, which runs forwards and backwards twice.
 void average_along(const LineRange& line, float* values) {
     const std::int64_t count = line.end - line.begin;
     const std::int64_t run_up = line.closed ? std::min<std::int64_t>(hatching_tuning.run_up_points, count) : 0;
@@ -418,7 +422,8 @@ void average_along(const LineRange& line, float* values) {
     }
 }
 
-// Returns the distance of a point from the middle between its neighbours, after the moves of all three; in separations.
+// Returns the distance of a point from the middle between its two neighbours after the moves of all three, in
+// separations.
 float offset_to_middle(const LineNeighbours& neighbours, const base::Array<float>& move, std::int64_t i) noexcept {
     std::array<float, 2> gap{};
     for (const std::size_t side : {0U, 1U}) {
@@ -430,7 +435,7 @@ float offset_to_middle(const LineNeighbours& neighbours, const base::Array<float
     return 0.5F * (gap[1] - gap[0]);
 }
 
-// Returns how far each point should move across its line, in separations.
+// Returns for each point how far it should move across its line, in separations.
 base::Array<float> even_moves(const base::Work& work, const Lines& lines, const LineNeighbours& neighbours) {
     base::Array<float> move(work.memory, neighbours.size());
     base::Array<float> wanted(work.memory, neighbours.size());
@@ -449,9 +454,9 @@ base::Array<float> even_moves(const base::Work& work, const Lines& lines, const 
 
 // ---- Kinks
 
-// Marks the points of all parts, each of two separations, that turn too much within the surface; returns whether there
-// are any. Parts that turn even more are not marked, because there the field itself turns, around a singular point.
-// Sets `turn` to the angle by which the line turns at each point, in radians.
+// Marks the points of kinks: parts, each two separations long, that turn too much within the surface. Returns whether
+// there are any. A part that turns even more is not marked, because the field itself turns there, around a singular
+// point. Sets `turn` to the turn of the line at each point, in radians.
 bool mark_kinks(const Lines& lines, const LineRange& line, base::Array<float>& turn, base::Array<std::uint8_t>& kink) {
     for (std::int64_t i = line.begin; i < line.end; ++i) {
         kink[i] = 0;
@@ -513,7 +518,7 @@ void smooth_levels(Lines& lines, std::int64_t reach) {
     std::swap(lines.level, median);
 }
 
-// Projects marks onto the surface; a mark that does not settle gets the normal 0.
+// Projects marks onto the surface. A mark that fails gets the normal 0.
 void project_lines(const marks::Site& site, double separation, const geometry::Bounds& region, Lines& lines,
                    marks::LevelReport& report) {
     marks::MarkProjector projector(site);
@@ -594,7 +599,7 @@ CreaseEnd crease_end(const implicit::Sheets* sheets, const glm::dvec3& inner, co
     return is_a_step(place.position, replaces ? inner : end, step) ? CreaseEnd{place, replaces} : CreaseEnd{};
 }
 
-// Cuts lines into pieces that lie on the surface and on one side of all creases.
+// Divides lines into pieces. Each piece is on the surface, and on one side of all creases.
 Lines cut_lines(const marks::Site& site, const Lines& lines, const base::Array<std::uint8_t>& starts, double step) {
     Lines pieces(site.memory());
     const auto add = [&](std::int64_t l, std::int64_t begin, std::int64_t end) {
@@ -718,7 +723,7 @@ Lines even_out(const base::Work& work, const Lines& given, double separation) {
     HRBFNPR_ASSERT(separation > 0.0);
     Lines lines =
         resampled(given, hatching_tuning.even_step * separation, hatching_tuning.shortest_line * separation, work);
-    // Points on mesh edges are only accurate to a fraction of a cell, so they are smoothed.
+    // Points are smoothed, because points on mesh edges are exact only to a fraction of a cell.
     for_lines(work, lines, [&](const LineRange& line) {
         for (int round = 0; round < hatching_tuning.smoothings; ++round)
             move_between(lines.position, line,
@@ -753,15 +758,14 @@ void add_line_marks(const marks::Site& site, const Lines& given, double separati
     project_lines(site, separation, region, lines, level);
     const base::Array<std::uint8_t> starts = starts_at_creases(site, lines);
     const Lines pieces = cut_lines(site, lines, starts, step);
-    // Settled marks that are in no piece count as strayed. Marks on creases and repeated marks of closed lines are
-    // counted in addition.
+    // A settled mark that is in no piece has strayed. Marks on creases, and repeated marks of closed lines, are extra.
     const std::int64_t all = pieces.position.size();
     const std::int64_t added = std::max<std::int64_t>(0, all - level.placed);
     level.attempted += added;
     level.dropped_strayed += level.placed + added - all;
     level.placed = all;
     struct PieceOrder {
-        std::uint8_t level; // the coarsest of the piece's marks
+        std::uint8_t level; // the coarsest level of the marks in the piece
         std::int64_t piece;
     };
     base::Array<PieceOrder> order(site.memory());

@@ -28,26 +28,26 @@ struct HatchingTuning {
     // Two places are on different sheets if the cosine of their normals is at most this. Larger: thin walls are kept
     // apart better, but sharp bends are split.
     double same_sheet_cosine = 0.3;
-    // Places are also on different sheets if the vector between them leaves a tangent plane by more than this share of
-    // its length.
-    double steepest_link = 0.5;   // between samples
-    double steepest_offset = 0.6; // from a sample to a vertex of the mesh, and across from a line to the next one
+    // Two places are also on different sheets if one is higher above the tangent plane of the other than this share of
+    // their distance.
+    double steepest_link = 0.5;   // the limit for two samples
+    double steepest_offset = 0.6; // the limit for a sample and a vertex of the mesh, and for two neighbouring lines
 
     // ---- The field
 
-    // Curvatures are averaged with those of neighbours in this many rounds. Larger: lines do not follow finer forms.
+    // The number of rounds that average curvatures with those of neighbours. Larger: lines do not follow finer forms.
     int curvature_averages = 48;
-    // A curvature counts in full if its radius is below this share of the diagonal. Larger: lines follow flatter forms
+    // A curvature has full weight if its radius is below this share of the diagonal. Larger: lines follow flatter forms
     // rather than the axis.
     double full_radius = 0.05;
-    // Curvatures below this, over the diagonal, count as 0: a flat face has such curvatures within the tolerance of its
-    // fit. Their weight rises to 1 at twice this. Larger: lines do not follow shallow forms.
+    // Curvatures below this, times the reciprocal of the diagonal, count as 0, because the tolerance of a fit allows
+    // them even on flat faces. The weight is 1 from twice this on. Larger: lines do not follow shallow forms.
     double flat_curvature = 0.1;
-    // Between creases, where curvature and axis have less confidence than this, as on a flat face across the axis,
-    // lines follow another axis with this weight.
+    // Where curvature and axis have less confidence than this, as on a flat face perpendicular to the axis, lines
+    // follow another axis with this weight. It applies only between creases.
     double least_confidence = 1e-3;
-    // A named guide has this weight against curvature of full confidence. Larger: it is smoothed less, and hardly
-    // turned by the axis.
+    // The weight of a named guide. A curvature of full confidence has the weight 1. Larger: neighbours and the axis
+    // change the direction of the guide less.
     double guide_strength = 4.0;
     // The strength with which lines are pulled to unit length. Larger: singular points move less.
     double pull_to_unit = 0.2;
@@ -67,7 +67,7 @@ struct HatchingTuning {
     int vertex_means = 20;
     // After these, waves of unit height are averaged in this many rounds. Larger: fewer bends at forks.
     int unit_averages = 20;
-    // Vertices of the mesh take their waves from the samples within this many spacings. Larger: smoother waves.
+    // A vertex of the mesh takes its waves from the samples within this many spacings. Larger: smoother waves.
     double sample_reach = 2.0;
 
     // ---- The mesh
@@ -83,7 +83,7 @@ struct HatchingTuning {
     double widest_gap = 2.0;
     // Two ends face each other if the cosine between the direction of each end and the gap is at least this.
     double facing_cosine = 0.95;
-    // Over gaps shorter than `touching_gap`, only the angle between the two end directions counts, and it may be
+    // Over gaps shorter than `touching`, only the directions of the two ends are compared, and their angle may be
     // larger.
     double touching_gap = 0.2;
     double touching_cosine = 0.8;
@@ -96,13 +96,14 @@ struct HatchingTuning {
     double even_step = 0.5;
     // Shorter lines are left out. Larger: fewer short lines.
     double shortest_line = 3.0;
-    // Rounds of smoothing by weights 1/4, 1/2, 1/4 over neighbours along a line.
+    // The number of rounds of smoothing with weights 1/4, 1/2, 1/4 along a line.
     int smoothings = 2;
-    // Neighbouring lines are searched up to this far across. Larger: lines also move where they have more room.
+    // Neighbouring lines are searched for up to this distance across a line. Larger: lines with more space beside them
+    // move, too.
     double neighbour_reach = 1.75;
-    // A line can be its own neighbour, as where it winds round, at points at least this far away along it.
+    // If a line winds around, it can be its own neighbour: at points whose distance along it is at least this.
     double least_way_around = 5.0;
-    // Two lines are neighbours if the cosine of the angle between them is larger than this.
+    // Two lines are neighbours only if the cosine between their directions is larger than this.
     double parallel_cosine = 0.7;
     // A point is accepted as a neighbour if it is within this many separations of the tangent plane, even if the way to
     // it is steep.
@@ -112,13 +113,13 @@ struct HatchingTuning {
     int rounds = 2;
     int moves = 12;
     float move_share = 0.8F;
-    // Moves are averaged along a line by exponential weights, over about 2.7 separations; the newest value has this
-    // share. Larger: lines are more even, and bend more. On a closed line each average begins `run_up_points` points
-    // earlier.
+    // Moves are averaged along a line with exponential weights, over about 2.7 separations. This is the weight of the
+    // newest value. Larger: lines are more even, and bend more. On a closed line, each average begins `run_up_points`
+    // points earlier.
     float newest_share = 0.3F;
     std::int64_t run_up_points = 16;
-    // A line turns within the surface by at most this on a part of two separations, which has `points_of_kink` points;
-    // in radians. Larger: lines are more even, and show kinks.
+    // The largest turn of a line within the surface, in radians, on a part of two separations, which has
+    // `points_of_kink` points. Larger: lines are more even, and show kinks.
     float most_turn = 0.4F;
     int points_of_kink = 5;
     // A part that turns by more than this, in radians, is around a singular point of the field. It is not straightened.
@@ -136,9 +137,9 @@ struct HatchingTuning {
     double most_step = 1.6;
     // The smallest number of marks in a piece of a line.
     std::int64_t fewest_marks = 3;
-    // The end of a line is extended to a crease that is at most this far ahead.
+    // The end of a line is extended to a crease if the crease is at most this far ahead, in steps.
     double farthest_crease = 1.1;
-    // A mark is on a sheet if it is at most this far away, in diagonals.
+    // A mark is on a sheet if its distance from it is at most this, in diagonals.
     double sheet_tolerance = 1e-6;
 };
 inline constexpr HatchingTuning hatching_tuning;

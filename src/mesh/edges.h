@@ -12,7 +12,7 @@
 
 namespace hrbfnpr::mesh {
 
-// Disjoint sets of numbers. The name of a set is its least number, whatever the order of the joins.
+// Disjoint sets of numbers (union-find). The name of a set is its smallest number.
 class UnionFind {
 public:
     UnionFind(base::Memory& memory, std::int64_t count) : parent_(memory) {
@@ -33,10 +33,10 @@ private:
     base::Array<std::int32_t> parent_;
 };
 
-// Gives names numbers from 0, in the order in which they come.
+// Assigns the numbers 0, 1, 2 and so on to names, in the order in which the names first come.
 class NumbersByFirstUse {
 public:
-    // All names are below `names`.
+    // `names` is larger than all names.
     NumbersByFirstUse(base::Memory& memory, std::int64_t names) : number_(memory, names) {}
     [[nodiscard]] std::int32_t of(std::int64_t name) noexcept {
         std::int32_t& number = number_[name];

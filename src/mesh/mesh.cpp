@@ -130,8 +130,8 @@ void check_extent(const Welded& welded) {
              bounds.diagonal());
 }
 
-// Sets the unit normals of all corners. The normal of a corner is a mean over the faces at its vertex whose normals are
-// within the crease angle, weighted by their angles at the vertex.
+// UnionFind the unit normals of all corners. The normal of a corner is a mean over the faces at its vertex whose
+// normals are within the crease angle, weighted by their angles at the vertex.
 void set_corner_normals(const base::Work& work, double crease_angle, Mesh& mesh) {
     const base::Groups corners = corners_at_vertices(mesh, work);
     base::Array<glm::dvec3> normal(work.memory);   // normals of the faces

@@ -20,7 +20,7 @@ namespace {
     return doubled_area({vertex[t[0]], vertex[t[1]], vertex[t[2]]});
 }
 
-// Returns how much more often the faces at an edge run through it forward than backward.
+// Returns the number of faces that run through an edge forward, minus the number that run backward.
 [[nodiscard]] std::int64_t excess_faces(const Side* first, const Side* last) noexcept {
     std::int64_t sum = 0;
     for (const Side* side = first; side != last; ++side) sum += side->forward != 0 ? 1 : -1;

@@ -20,8 +20,8 @@ struct Component {
 
 inline void turn(Triangle& triangle) noexcept { std::swap(triangle[1], triangle[2]); }
 
-// Turns faces to agree with most of the area of their patch. A patch ends at edges that do not have exactly two faces.
-// Returns the number of faces that it turned.
+// Turns faces so that each patch has the orientation of most of its area. A patch ends at edges that do not have
+// exactly two faces. Returns the number of faces turned.
 std::int64_t orient_consistently(const base::Work& work, const base::Array<glm::dvec3>& vertex,
                                  base::Array<Triangle>& triangle);
 

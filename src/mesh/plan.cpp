@@ -85,7 +85,7 @@ Sharpness plan_sharpness(const CreaseEvidence& part, const CreaseEvidence& whole
 // ---- Coarse faces
 
 EdgesInFile plan_edges_of_file(std::int64_t bends, std::int64_t sharp) noexcept {
-    // A few edges say nothing.
+    // Too few edges bend for the file to say anything.
     if (bends < plan_tuning.fewest_of_file) return EdgesInFile::nothing;
     const double share = static_cast<double>(sharp) / static_cast<double>(bends);
     if (share >= plan_tuning.nearly_all) return EdgesInFile::all_are_sharp;
@@ -93,7 +93,7 @@ EdgesInFile plan_edges_of_file(std::int64_t bends, std::int64_t sharp) noexcept 
 }
 
 CoarsePlan plan_coarse_faces(const CoarseFacts& facts, const MeshOptions& wishes) {
-    // The caller says how often faces are divided.
+    // The caller gives the number of divisions.
     if (wishes.rounds >= 0)
         return {wishes.rounds > 0 ? CoarsePlan::Choice::divided : CoarsePlan::Choice::nothing, wishes.rounds, false};
     // The caller wants all edges sharp, or takes samples of the mesh without division.
@@ -105,16 +105,16 @@ CoarsePlan plan_coarse_faces(const CoarseFacts& facts, const MeshOptions& wishes
     const double tolerance = plan_tolerance(wishes.tolerance, 1.0);
     const double off = facts.coarseness();
     if (!(off > tolerance)) return {};
-    // Edges stand out, unless the file says which ones are sharp.
+    // The shape has edges. If the file says which edges are sharp, this is not tested.
     if (facts.said != EdgesInFile::some_are_sharp && facts.has_creases()) return {};
-    // A round leaves a quarter of the bulge. At the end half of the tolerance may be left.
+    // Each round reduces the bulge to a quarter. At the end, half of the tolerance may remain.
     const double rounds = std::ceil(std::log(2.0 * off / tolerance) / std::log(4.0));
     CoarsePlan plan;
     plan.rounds = rounds < plan_tuning.most_rounds ? static_cast<std::int32_t>(rounds) : plan_tuning.most_rounds;
     if (plan.rounds == 0) return plan;
-    // By the normals of the file all faces are flat.
+    // If all faces are flat by the normals of the file, there is nothing to divide.
     plan.choice = facts.said == EdgesInFile::all_are_sharp ? CoarsePlan::Choice::all_flat : CoarsePlan::Choice::divided;
-    // If the file says which edges are sharp, parts without coarse faces stay undivided.
+    // If the file says which edges are sharp, only the parts with coarse faces are divided.
     plan.parts_alone = facts.said == EdgesInFile::some_are_sharp;
     return plan;
 }
@@ -123,7 +123,7 @@ CoarsePlan::Choice judge_division(const DivisionFacts& facts, EdgesInFile said, 
     using Choice = CoarsePlan::Choice;
     // The caller asked for the division.
     if (wishes.rounds >= 0) return Choice::divided;
-    // If the file says which edges are sharp, a division that moves vertices too far is dropped.
+    // If the file says which edges are sharp, a division is dropped if it moves vertices too far.
     if (said == EdgesInFile::some_are_sharp)
         return facts.moved > plan_tuning.most_moved * facts.most_coarse() ? Choice::nothing : Choice::divided;
     // The faces of a convex hull are long and unequal, and no round surface goes through their vertices: the divided
@@ -170,7 +170,7 @@ bool may_be_grouped(const MeshReport& mesh, std::int64_t faces) noexcept {
 // ---- How near the surface is to come
 
 bool chooses_samples(const SampleOptions& wishes) noexcept {
-    // A fit to a mesh takes as many samples as it needs, unless the caller wants an option that only a fit to samples
+    // A fit to a mesh chooses the number of its samples, unless the caller wants an option that only a fit to samples
     // has.
     return !wishes.count && !wishes.flips && !wishes.refines && !wishes.judges && !wishes.regularizes;
 }

@@ -75,19 +75,21 @@ struct Sharpness {
 
 // ---- Coarse faces
 
-// The statement of a file's normals about the edges that bend.
+// What the normals of a file say about the edges that bend.
 enum class EdgesInFile {
-    nothing, // The file says nothing, or that all edges are smooth, which is also what computed normals look like.
+    // The file says nothing about edges. A file that says that all edges are smooth counts the same, because computed
+    // normals say so, too.
+    nothing,
     some_are_sharp,
     all_are_sharp,
 };
-// Reads the statement from the number of edges that bend, and the number of these at which faces have normals of their
-// own.
+// Returns the statement. It depends on the number of edges that bend, and on how many of them have separate normals for
+// each face.
 [[nodiscard]] EdgesInFile plan_edges_of_file(std::int64_t bends, std::int64_t sharp) noexcept;
 
 // The caller's options for a picture. Distances are in diagonals.
 struct MeshOptions {
-    // True: the file and its shape decide which edges are sharp. False: `edges` and `edge_angle` decide.
+    // If true, the file and the shape decide which edges are sharp. If false, `edges` and `edge_angle` decide.
     bool edges_as_given = true;
     Edges edges = Edges::automatic;
     double edge_angle = 30.0;    // in degrees
@@ -99,9 +101,9 @@ struct MeshOptions {
 struct CoarseFacts {
     std::int64_t faces = 0;
     EdgesInFile said = EdgesInFile::nothing;
-    std::function<double()> mean_edge;  // in diagonals
-    std::function<double()> coarseness; // how far the faces are from a round surface, in diagonals
-    std::function<bool()> has_creases;  // A rough fit keeps some edges sharp.
+    std::function<double()> mean_edge;  // returns the mean length of edges, in diagonals
+    std::function<double()> coarseness; // returns the distance of the faces from a round surface, in diagonals
+    std::function<bool()> has_creases;  // returns whether a rough fit keeps some edges sharp
 };
 
 struct CoarsePlan {
@@ -127,7 +129,7 @@ struct DivisionFacts {
     // Returns the largest distance of a face from a round surface, before the division.
     std::function<double()> most_coarse;
 };
-// Decides whether the division stays.
+// Decides whether the division is kept.
 [[nodiscard]] CoarsePlan::Choice judge_division(const DivisionFacts& facts, EdgesInFile said,
                                                 const MeshOptions& wishes);
 
@@ -135,7 +137,7 @@ struct FittedEdges {
     Edges edges;
     double angle; // in degrees
 };
-// Returns the edges that a picture asks of its fit. `all_flat`: all faces are flat.
+// Returns the edges that the fit for a picture keeps sharp. `all_flat` means that all faces are flat.
 [[nodiscard]] FittedEdges plan_fitted_edges(const FittedEdges& of_fit, const MeshOptions& wishes,
                                             bool all_flat) noexcept;
 
@@ -161,15 +163,15 @@ struct FittedEdges {
 
 inline constexpr double default_tolerance = 0.002; // in diagonals
 
-// The options of a picture that only a fit to samples supports.
+// The wishes of a picture that only a fit to samples can fulfil.
 struct SampleOptions {
-    bool count = false;       // a number of samples
-    bool flips = false;       // all normals are to be turned
-    bool refines = false;     // the samples move
-    bool judges = false;      // outliers or flipped normals are to be found
-    bool regularizes = false; // the regularization is chosen from the noise
+    bool count = false;       // The caller gives a number of samples.
+    bool flips = false;       // The caller wants all normals to be turned.
+    bool refines = false;     // The caller wants samples to be moved.
+    bool judges = false;      // The caller wants outliers or flipped normals to be found.
+    bool regularizes = false; // The caller wants regularization to be chosen from the noise.
 };
-// Tells whether a fit to the mesh takes as many samples as it needs.
+// Returns whether a fit to the mesh chooses the number of its samples.
 [[nodiscard]] bool chooses_samples(const SampleOptions& wishes) noexcept;
 
 // The first function returns the tolerance of a fit, the second the largest allowed distance. If the wish is 0, they

@@ -65,13 +65,13 @@ void check_vertex(const glm::dvec3& p, std::int64_t vertex, std::int64_t face) {
 
 // ---- Vertices at the same place
 
-[[nodiscard]] std::uint64_t hash_of(std::uint64_t bits) noexcept { // the final mix of MurmurHash3
+[[nodiscard]] std::uint64_t hash_of(std::uint64_t bits) noexcept { // Mixes the bits, as MurmurHash3 does at its end.
     bits = (bits ^ bits >> 33U) * 0xff51afd7ed558ccdU;
     bits = (bits ^ bits >> 33U) * 0xc4ceb9fe1a85ec53U;
     return bits ^ bits >> 33U;
 }
 
-// Numbers different things in the order in which they come, by a hash table.
+// Assigns the numbers 0, 1, 2 and so on to different things, in the order in which they come. It is a hash table.
 class HashNumbering {
 public:
     HashNumbering(base::Memory& memory, std::int64_t most)
@@ -234,8 +234,8 @@ void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
     sliver.agrees = agrees;
 }
 
-// Returns the slivers, sorted by longest side. Sets `longest` of each face to its longest side, or to no_edge if the
-// face is not a sliver.
+// Returns the slivers, sorted by longest side. UnionFind `longest` of each face to its longest side, or to no_edge if
+// the face is not a sliver.
 [[nodiscard]] base::Array<Sliver> find_slivers(const Welded& welded, double rounding,
                                                base::Array<std::uint64_t>& longest, const base::Progress& progress) {
     base::Array<Sliver> found(welded.vertex.memory());
@@ -398,14 +398,14 @@ void measure_about(const Welded& welded, double rounding, const Side* first, con
     }
 }
 
-// Tells whether both faces have the same angle about the edge, except for rounding.
+// Returns whether both faces have the same angle about the edge, up to rounding.
 [[nodiscard]] bool lie_on_each_other(const FaceAtEdge& a, const FaceAtEdge& b) noexcept {
     const std::int64_t half = in_parts(std::numbers::pi);
     const std::int64_t apart = half - std::abs(half - std::abs(a.angle - b.angle));
     return static_cast<double>(apart) <= a.rounding + b.rounding;
 }
 
-// Returns the difference between the angle of two faces and a half turn.
+// Returns the difference between the angle of two faces and a straight angle.
 [[nodiscard]] std::int64_t bend(const FaceAtEdge& a, const FaceAtEdge& b) noexcept {
     return std::abs(std::abs(a.angle - b.angle) - in_parts(std::numbers::pi));
 }
@@ -413,20 +413,20 @@ void measure_about(const Welded& welded, double rounding, const Side* first, con
 // ---- Walls within solids: faces that two of them share, as boxes beside each other do
 
 enum class OppositeFace : std::uint8_t {
-    none = 0, // not given equally often in both orientations, or a face of a leaf
+    none = 0, // no twins, or twins that belong to a leaf
     wall = 1,
     contact = 2 // solids touch here and in the faces beyond
 };
 
-// Returns the kind of each face. Only faces that were given equally often in both orientations, twins, may be walls or
-// contacts. A sheet of connected twins is a wall if it meets other faces at its ends, and nowhere ends without them: a
-// leaf of two sides and a solid given in both orientations meet no others. The sheet is part of a contact if those
-// other faces lie on each other as well, in triangles of their own.
+// Returns the kind of each face. Faces that were given equally often in both orientations are twins. Only twins may be
+// walls or contacts. A sheet of connected twins is a wall if it meets other faces at its ends, and nowhere ends without
+// them: a leaf of two sides and a solid given in both orientations meet no others. The sheet is part of a contact if
+// those other faces lie on each other as well, in separate triangles.
 [[nodiscard]] base::Array<OppositeFace> find_walls(const base::Work& work, const Welded& welded,
                                                    const base::Array<Repeated>& repeated, double rounding) {
-    constexpr unsigned ends = 1;    // the sheet ends at an edge with fewer than two other faces
-    constexpr unsigned meets = 2;   // the sheet meets two or more other faces
-    constexpr unsigned goes_on = 4; // two of these faces lie on each other and face each other
+    constexpr unsigned ends = 1;    // The sheet ends at an edge with fewer than two other faces.
+    constexpr unsigned meets = 2;   // The sheet meets two or more other faces.
+    constexpr unsigned goes_on = 4; // Two of these faces coincide and face each other.
     const std::int64_t faces = welded.triangle.size();
     const auto is_twin = [&](const Side& side) { return repeated[side.face].balance == 0; };
     UnionFind sheets(work.memory, faces);
@@ -478,7 +478,7 @@ void leave_out_walls(const base::Work& work, const base::Array<Repeated>& repeat
                      MeshReport& report) {
     if (report.repeated_faces == 0) return;
     const base::Array<OppositeFace> kind = find_walls(work, welded, repeated, rounding);
-    Welded other_sides(work.memory); // the second faces of contacts
+    Welded other_sides(work.memory); // the faces on the second side of contacts
     std::int64_t kept = 0;
     for (std::int64_t face = 0; face < kind.size(); ++face) {
         if (kind[face] == OppositeFace::wall) {
@@ -502,8 +502,8 @@ void leave_out_walls(const base::Work& work, const base::Array<Repeated>& repeat
 
 // ---- Edges and corners in which solids touch
 
-// Sorts faces that have the same angle except for rounding: the face that ends a solid comes before the face that
-// begins the next one.
+// Sorts faces with the same angle, up to rounding. The face that ends a solid comes before the face that begins the
+// next solid.
 void end_before_begin(base::Array<FaceAtEdge>& about) noexcept {
     for (std::int64_t turns = 0; turns < about.size(); ++turns) {
         bool moved = false;
@@ -519,8 +519,9 @@ void end_before_begin(base::Array<FaceAtEdge>& about) noexcept {
     }
 }
 
-// Pairs four faces so that the edge bends least. Solids that cross each other at the edge then go straight on, as the
-// flat faces of round solids do that touch along a line. Returns false if the faces are not two of each orientation.
+// Pairs four faces so that the edge bends least. Solids that cross each other at the edge then continue straight on, as
+// flat faces do where two round solids touch along a line. Returns false if there are not two faces of each
+// orientation.
 [[nodiscard]] bool pair_flattest(base::Array<FaceAtEdge>& about) {
     std::sort(about.begin(), about.end(), [](const FaceAtEdge& a, const FaceAtEdge& b) {
         if (a.side->forward != b.side->forward) return a.side->forward < b.side->forward;
@@ -533,8 +534,8 @@ void end_before_begin(base::Array<FaceAtEdge>& about) noexcept {
     return true;
 }
 
-// Sorts the faces about an edge into pairs, from the first on: a solid lies between the faces of a pair. Returns false
-// if the pairs are not clear.
+// Sorts the faces about an edge into pairs, beginning with the first face. A solid is between the faces of a pair.
+// Returns false if the pairs are not clear.
 [[nodiscard]] bool pair_about(base::Array<FaceAtEdge>& about) {
     std::sort(about.begin(), about.end(), [](const FaceAtEdge& a, const FaceAtEdge& b) {
         return a.angle != b.angle ? a.angle < b.angle : a.side->face < b.side->face;
@@ -548,7 +549,7 @@ void end_before_begin(base::Array<FaceAtEdge>& about) noexcept {
     return true;
 }
 
-// Gives each set of corners at a vertex a vertex of its own. The first set keeps the old one.
+// Gives each set of corners at a vertex a separate vertex. The first set keeps the existing vertex.
 void assign_vertices(UnionFind& corners, const base::Array<std::uint8_t>& parted, Welded& welded,
                      const base::Progress& progress) {
     base::Memory& memory = welded.vertex.memory();
@@ -568,12 +569,13 @@ void assign_vertices(UnionFind& corners, const base::Array<std::uint8_t>& parted
     }
 }
 
-// Where an edge has four or more faces, the two faces around each solid get an edge of their own, by new vertices at
-// the same places. Each solid is then closed. Solids that share a vertex and no edge also get vertices of their own,
-// unless a border passes there: they are then separate components, for which later steps test whether they touch.
+// Separates solids that share an edge or a vertex. Where an edge has four or more faces, the two faces of each solid
+// get a separate edge, with new vertices at the same places, so that each solid is closed. Solids that share only a
+// vertex also get separate vertices, unless a border passes there. The solids are then separate components, and later
+// steps test whether they touch.
 void separate_solids_at_edges(const base::Work& work, double rounding, Welded& welded) {
     const base::Array<Side> sides = sides_by_edge(work, welded.triangle);
-    UnionFind corners(work.memory, 3 * welded.triangle.size()); // sets of corners that share a vertex
+    UnionFind corners(work.memory, 3 * welded.triangle.size()); // the sets of corners that share a vertex
     base::Array<std::uint8_t> parted(work.memory, welded.vertex.size());
     std::fill(parted.begin(), parted.end(), std::uint8_t{1});
     for_edges(sides, work, [&](const Side* first, const Side* last) {

@@ -13,8 +13,8 @@
 
 namespace hrbfnpr::orient {
 
-// Points in a tree's order, about 1 apart, with the rank of each in their farthest-first order. A place is an index
-// into the tree's order.
+// Points in the order of a tree, about 1 apart, each with its rank in the farthest-first order. A place is an index of
+// a point in the order of the tree.
 struct OrderedPoints {
     explicit OrderedPoints(base::Memory& memory) noexcept : rank(memory) {}
 
@@ -36,8 +36,8 @@ struct Cloud : OrderedPoints {
     glm::dvec3 centre{0.0};
     double spacing = 1.0; // median distance to the nearest other point, in the caller's unit
     std::int64_t merged = 0;
-    // 0 unless the points lie along curves, whose neighbours define no plane. Then it is the number of first places of
-    // the farthest-first order that spread all over the surface that the curves lie on.
+    // If the points lie along curves, neighbours define no plane. This is then the number of first places, in the
+    // farthest-first order, that spread over the whole surface on which the curves lie. Otherwise it is 0.
     std::int64_t spread_count = 0;
 };
 
@@ -45,7 +45,7 @@ struct Cloud : OrderedPoints {
 // lie on one line.
 [[nodiscard]] Cloud read_cloud(const base::Work& work, const base::InView& points);
 
-// The first places of a cloud's farthest-first order, in an order of their own.
+// The first places of a cloud's farthest-first order, in the order of a separate tree.
 struct CoarsePoints : OrderedPoints {
     CoarsePoints(const base::Work& work, const Cloud& cloud, std::int64_t count);
 

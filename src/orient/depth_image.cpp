@@ -69,8 +69,8 @@ struct Camera {
     }
 
     InverseDepth depth;        // in a unit that makes the median of z 1
-    base::Array<double> error; // error of the small plane around each pixel; infinite if there is no such plane
-    LineFit across, down;      // x / z as a function of the column, y / z of the row
+    base::Array<double> error; // The error of the small plane around each pixel; infinite if there is no small plane.
+    LineFit across, down;      // x / z as a linear function of the column, and y / z as one of the row
     std::int64_t seen = 0;
     double sign = 0.0; // the sign of z
     double unit = 1.0; // the median of z

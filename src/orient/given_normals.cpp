@@ -19,7 +19,7 @@ namespace {
 
 using geometry::VecArray;
 
-// The arguments of judge() that its steps share.
+// The arguments of judge(), which its steps share.
 struct JudgementInput {
     const base::Runtime& runtime;
     const geometry::PointTree& tree;
@@ -36,7 +36,7 @@ struct JudgementInput {
 struct Similarity {
     double same_sign = 0.0; // share whose signs are those of least energy
     double far = 0.0;       // share of lines more than 60 degrees off
-    double median = 0.0;    // median |cosine| between given lines and those of least energy
+    double median = 0.0;    // the median |cosine| between given lines and lines of least energy
 };
 
 [[nodiscard]] Similarity compare(const JudgementInput& c) {
@@ -57,14 +57,15 @@ struct Similarity {
     return similarity;
 }
 
-// In doubt, only the winding numbers of the given normals decide.
+// Returns whether most given normals point inward. If the least energy is doubtful, only the winding numbers of the
+// given normals decide.
 [[nodiscard]] bool are_inward(const JudgementInput& c, double alike, const base::Progress& progress) {
     if (!c.evidence.doubtful) return alike < 0.5;
     return measure_winding({c.runtime, progress}, c.tree, c.near, c.given.normal).outward() < 0;
 }
 
-// Returns whether the given signs look random: neighbours agree with the signs of least energy as often as not. In
-// doubt, neighbours that point opposite ways must not be the two sides of walls, either.
+// Returns whether the signs of the given normals look random: about half of the neighbours agree with the signs of
+// least energy. If the least energy is doubtful, opposite neighbours must also not be the two sides of a wall.
 [[nodiscard]] bool have_random_signs(const JudgementInput& c) {
     std::int64_t pairs = 0;
     std::int64_t consistent = 0;
@@ -105,8 +106,9 @@ struct Border {
     double size = 0.0;
 };
 
-// Returns the patches: connected places whose normals are against those of least energy, if their directions agree. In
-// doubt it returns only patches that the given normals show to be turned, by how they continue over the border.
+// Returns the patches: connected places whose normals are opposite to those of least energy, but have about the same
+// directions. If the least energy is doubtful, it returns only patches whose given normals are opposite to those just
+// outside their border.
 [[nodiscard]] base::Array<std::int32_t> find_turned_patches(const JudgementInput& c, const Signs& signs) {
     double side = 0.0;
     for (std::int64_t at = 0; at < c.tree.size(); ++at) side += signs[at] * c.cosine(at) > 0.0 ? 1.0 : -1.0;

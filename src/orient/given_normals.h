@@ -28,8 +28,8 @@ struct GivenNormals {
 // The evidence by which given normals are judged.
 struct Evidence {
     const geometry::VecArray& least_energy_normals; // normals of least energy, outward
-    bool open = false;                              // winding numbers do not tell the outside, a rule does
-    bool doubtful = false; // the confidence of these normals is low, so given normals stay in doubt
+    bool open = false;                              // Winding numbers do not show the outside, so a rule chooses it.
+    bool doubtful = false; // The confidence of `least` is low, so given normals stay where the judgement is in doubt.
 };
 
 struct Judgement {

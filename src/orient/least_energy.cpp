@@ -258,8 +258,8 @@ void spread_signs(const base::Work& work, const NeighbourLists& near, std::int64
     return to;
 }
 
-// Returns normals of planes through the nearest `count` of the first places in the farthest-first order, where 1 place
-// in `share` is a first one. So neighbours are on all sides even where places stand along lines.
+// Returns normals of planes through the `count` nearest first places of the farthest-first order. One in `share` places
+// is a first place. First places lie on all sides of a place, even if the places lie along lines.
 [[nodiscard]] VecArray coarse_normals(const base::Work& work, const OrderedPoints& places, std::int64_t share,
                                       std::int64_t count) {
     const geometry::PointTree& tree = *places.tree;
@@ -296,11 +296,12 @@ struct Result {
     double energy;
 };
 
-// Returns how well other results agree with the chosen one. A result counts more the nearer its energy is to the chosen
-// one's; the coarser cloud that was begun from counts, too. Writes LeastEnergy's rival.
+// Returns how many signs other results share with the chosen one, as a weighted mean. A result weighs more the closer
+// its energy is to the energy of the chosen one. The result of the coarser cloud counts, too. Writes LeastEnergy's
+// rival.
 double agreement(const std::vector<Result>& results, const Result& chosen, const CoarseStart* begin,
                  double& rival) noexcept {
-    // Rounding may bring a sum of squares below 0.
+    // Rounding may make a sum of squares negative.
     const auto over_chosen = [&](const Result& r) {
         return std::max(r.energy, 1e-300) / std::max(chosen.energy, 1e-300);
     };

@@ -13,20 +13,20 @@ namespace hrbfnpr::orient {
 struct CoarseStart {
     explicit CoarseStart(base::Memory& memory) noexcept : normal(memory) {}
 
-    // Returns the energy that points at a distance of 1 would have.
+    // Returns the energy for points at a distance of 1.
     [[nodiscard]] double energy_at_unit_spacing() const noexcept { return energy * spacing; }
 
     geometry::VecArray normal;
-    double energy = 0.0;  // per degree of freedom
-    double spacing = 1.0; // distance between the coarser cloud's points
+    double energy = 0.0;  // energy per degree of freedom
+    double spacing = 1.0; // the distance between the points of the coarser cloud
     double agreement = 0.0;
 };
 
 struct StartOptions {
-    int starts = 6;                     // the most starts; the search ends when two reach the same result
-    bool run_all = false;               // runs all starts, even if two reach the same result
-    bool tree = false;                  // adds a start whose signs spread along a spanning tree
-    const CoarseStart* begin = nullptr; // adds a start from these normals
+    int starts = 6;       // The largest number of starts. The search ends earlier if two starts reach the same result.
+    bool run_all = false; // If set, all starts run, even if two reach the same result.
+    bool tree = false;    // If set, one more start spreads signs along a spanning tree.
+    const CoarseStart* begin = nullptr; // If not null, one more start begins with the normals of a coarser cloud.
 };
 
 struct LeastEnergy {
@@ -35,12 +35,12 @@ struct LeastEnergy {
     geometry::VecArray normal; // unit normal of each place
     double energy = 0.0;       // energy per degree of freedom; 0.025 for points without any order
     double agreement = 1.0;    // 0 to 1: the share of equal signs among the results of about the same energy
-    // The least energy of a result with other signs, divided by the chosen energy. Near 1, the noise decides between
-    // the two.
+    // The least energy of a result with other signs, divided by the chosen energy. NeighbourLists 1, the noise decides
+    // between the two.
     double rival = std::numeric_limits<double>::infinity();
 };
 
-// ridge: see fit::HermiteEnergy. given: signed normals to start from, or null.
+// `ridge` is the regularization, as in fit::HermiteEnergy. `given` holds signed normals as a start, or is null.
 [[nodiscard]] LeastEnergy least_energy(const base::Work& work, const OrderedPoints& places, const NeighbourLists& near,
                                        double ridge, const geometry::VecArray* given, const StartOptions& options);
 

@@ -31,7 +31,7 @@ struct Refinement {
     base::Array<double> part; // for each place: a term of a sum, or a sign
 };
 
-// Returns the median spacing. Even samples of a plane have their sixth neighbour at 1.38 spacings.
+// Returns the median spacing. On an evenly sampled plane, the sixth neighbour is 1.38 spacings away.
 [[nodiscard]] double median_spacing(const geometry::PointTree& tree, const NeighbourLists& near) {
     constexpr double distance_to_sixth = 1.38;
     base::Array<double> all(tree.points().memory());
@@ -41,7 +41,7 @@ struct Refinement {
     return all[all.size() / 2] / distance_to_sixth;
 }
 
-// Returns, for each place, the mean of the places around it whose normals point the same way.
+// Returns, for each place, the mean of the nearby places whose normals point the same way.
 [[nodiscard]] VecArray mean_places(const Refinement& r, const NeighbourLists& near) {
     VecArray mean(r.work.memory, r.tree.size());
     for_places(r.work, r.tree.size(), [&](std::int64_t at) {
@@ -61,8 +61,8 @@ struct Refinement {
     return mean;
 }
 
-// Returns the sum over pairs of places on one face of (2 sin)^2, where the angle is between their chord and the tangent
-// plane of their mean normal.
+// Returns the sum of (2 sin)^2 over pairs of places on one face. The angle is between the chord of the pair and the
+// tangent plane to the mean of both normals.
 [[nodiscard]] double misfit(Refinement& r, const VecArray& place, const VecArray& normal) {
     const double from = tuning.chords_from * r.spacing;
     for_places(r.work, r.tree.size(), [&](std::int64_t at) {
@@ -79,8 +79,8 @@ struct Refinement {
     return all;
 }
 
-// Returns whether a place lies nearer to the other face of a wall than to its own. The distance to a face is the mean
-// distance to its places along the mean of both normals, so that the face may be curved.
+// Returns whether a place is nearer to the other face of a wall than to the face it is assigned to. The distance to a
+// face is the mean distance to its places, measured along the mean of both normals, so that curved faces work, too.
 [[nodiscard]] bool is_of_other_face(const Refinement& r, const VecArray& normal, std::int64_t at) noexcept {
     const glm::dvec3 own = normal[at];
     double here = 0.0, here_all = 0.0, there = 0.0, there_all = 0.0;

@@ -36,7 +36,7 @@ struct Noise {
     double ridge = 0.0;     // the regularization for this noise; 0 for a clean cloud
 };
 
-// Returns consecutive places of the tree's order, which are close to each other in space.
+// Returns places that follow each other in the order of the tree. They are close to each other in space.
 [[nodiscard]] OrderedPoints patch_at(const base::Work& work, const Cloud& cloud, std::int64_t begin, std::int64_t end) {
     VecArray position(work.memory);
     for (std::int64_t at = begin; at < end; ++at) position.push_back(cloud.point(at));
@@ -102,7 +102,7 @@ struct Noise {
 
 // ---- Points all over a surface
 
-// Returns fewer starts for more places.
+// Returns the effort of the search: the more places, the fewer starts.
 [[nodiscard]] StartOptions start_options_for(std::int64_t count) noexcept {
     if (count <= tuning.few_points) return {6, true, true};
     return {count <= tuning.many_points ? 3 : 1, false, count <= tuning.many_points};
@@ -117,7 +117,7 @@ void fit_even(const base::Work& work, const Cloud& cloud, const NeighbourLists& 
     result.confidence =
         confidence_of(std::clamp(result.fitted.agreement, 0.0, 1.0), result.fitted.energy, noise.deviation);
     if (noise.ridge == 0.0 || cloud.size() > tuning.few_points) return;
-    // A lower ridge should give the same signs. It does not where walls are as thin as the noise.
+    // A lower regularization should give the same signs. Where walls are as thin as the noise, it does not.
     const LeastEnergy other = fit(tuning.softer * noise.ridge, nullptr, {1, false, false}, work.without_progress());
     result.confidence *= std::max(0.0, 2.0 * share_alike(result.fitted.normal, other.normal) - 1.0);
 }
@@ -135,8 +135,8 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const NeighbourLists&
 
 // ---- Points along curves
 
-// Returns normals at the points of a finer tree: the mean of the normals at the three nearest first places, weighted by
-// the inverse squares of their distances.
+// Returns normals at the points of a finer tree. Each is the mean of the normals at the three nearest first places,
+// weighted by the inverse squares of their distances.
 [[nodiscard]] VecArray blend(const base::Work& work, const CoarsePoints& first, const VecArray& normal,
                              const geometry::PointTree& finer) {
     constexpr std::size_t blended = 3;
@@ -157,9 +157,9 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const NeighbourLists&
     return all;
 }
 
-// Returns the normals of least energy for the first places that spread all over the surface, then for twice as many,
-// and so on, each level started from the one before. As points get nearer to each other, the energy falls without
-// noise, and rises if noise is interpolated.
+// Returns the normals of least energy of ever finer levels, which double the number of places. The first level has the
+// first places that spread over the whole surface, and each later level starts from the normals before it. As points
+// become denser, the energy falls without noise, and rises where noise is interpolated.
 [[nodiscard]] std::vector<CoarseStart> begin_from_coarser(const base::Work& work, const Cloud& cloud) {
     std::vector<CoarseStart> levels;
     const std::int64_t most = std::min(cloud.size(), tuning.few_points);
@@ -184,9 +184,9 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const NeighbourLists&
     return levels;
 }
 
-// Returns the coarser cloud whose normals stay, or null. Noise has more energy, and changes directions more, the nearer
-// points are to each other. If the energy of all points is no less than that of fewer points, the result is the cloud
-// of least energy among those with the same signs as these.
+// Returns the coarser cloud whose normals are better than those of all points, or null. It considers the coarser clouds
+// whose signs agree with the cloud of least energy for its spacing, and returns the one of least energy. With noise, a
+// denser cloud has more energy, and its directions vary more.
 [[nodiscard]] CoarseStart* start_to_keep(std::vector<CoarseStart>& coarser, double energy) noexcept {
     const auto least = std::min_element(coarser.begin(), coarser.end(), [](const CoarseStart& a, const CoarseStart& b) {
         return a.energy_at_unit_spacing() < b.energy_at_unit_spacing();
@@ -199,7 +199,7 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const NeighbourLists&
     return best;
 }
 
-// Large clouds are fitted through their coarser clouds only.
+// A large cloud is fitted through its coarser clouds only.
 void fit_curves(const base::Work& work, const Cloud& cloud, const NeighbourLists& near, const VecArray* given,
                 CloudNormals& result) {
     std::vector<CoarseStart> coarser = begin_from_coarser(work.part(0.0, 0.5), cloud);

@@ -14,7 +14,7 @@ struct CloudNormals {
     double confidence = 0.0;
 };
 
-// given: signed normals to start from, or null.
+// `given` holds signed normals as a start, or is null.
 [[nodiscard]] CloudNormals normals_of_cloud(const base::Work& work, const Cloud& cloud, const NeighbourLists& near,
                                             const geometry::VecArray* given);
 
@@ -26,9 +26,8 @@ struct RidgeFit {
     double steadiness = 1.0; // the smallest share of equal signs between the regularizations tried
 };
 
-// Fits a noisy cloud with rising regularization: from a value that hardly affects the noise, up to `most`, the value
-// that suits the noise. It stops before the signs change, because too much regularization makes one sheet of two, and
-// merges tips.
+// Fits a noisy cloud with rising regularization. It begins where noise is hardly affected, and ends at `most`, which
+// suits the noise. It stops before signs change: too much regularization merges two sheets, or the tips of a shape.
 [[nodiscard]] RidgeFit follow_ridges(const base::Work& work, const Cloud& cloud, const NeighbourLists& near,
                                      double most, const geometry::VecArray* given, const StartOptions& effort);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds the outside of a cloud. measure_winding() compares winding numbers on both sides of its places; where these are
-// alike, side_by_rule() decides.
+// Finds which side of a cloud is outside. measure_winding() compares the winding numbers on both sides of the places.
+// If they do not differ, side_by_rule() decides.
 #include "orient/outward.h"
 
 #include "base/assert.h"
@@ -84,7 +84,8 @@ OutwardResult turn_outward(const base::Work& work, const Cloud& cloud, const Nei
     OutwardResult outward;
     int side = 0;
     if (cloud.is_of_curves()) {
-        // Places along curves stand for no area, but the first of them do.
+        // Points along curves have no area around them. The first places of the cloud spread over the surface, so each
+        // of them has an area.
         const CoarsePoints first(work, cloud, cloud.spread_count);
         const NeighbourLists around(work, *first.tree, NeighbourLists::of_spacing);
         const MeanWinding sides = measure_winding(work, *first.tree, around, first.pick(normal));
@@ -95,7 +96,7 @@ OutwardResult turn_outward(const base::Work& work, const Cloud& cloud, const Nei
         outward.closed = sides.closed();
         side = sides.outward();
     }
-    // The outside of an open surface with a viewpoint is the side that the viewpoint sees.
+    // If an open surface has a viewpoint, outside is the side that the viewpoint sees.
     if (side == 0 || (!outward.closed && rule.has_viewpoint)) {
         outward.decided_by = rule.has_viewpoint ? OutwardBy::viewpoint : OutwardBy::up;
         side = side_by_rule(cloud, local_spacing(work, *cloud.tree, near), rule, normal);

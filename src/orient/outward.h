@@ -7,7 +7,8 @@
 namespace hrbfnpr::orient {
 
 struct MeanWinding {
-    // Mean |winding number| at places a little way along the normals: 0 if the normals point out of a closed surface.
+    // The mean |winding number| at places a short way along the normals. It is 0 if the normals point out of a closed
+    // surface.
     double along = 0.5;
     double against = 0.5; // the mean |winding number| at places a short way in the opposite direction
 
@@ -19,8 +20,8 @@ struct MeanWinding {
     [[nodiscard]] int outward() const noexcept;
 };
 
-// Each place counts as a dipole whose strength is its area (Barill and others, "Fast winding numbers for soups and
-// clouds", 2018).
+// Measures winding numbers. Each place is a dipole whose strength is its area (Barill and others, "Fast winding numbers
+// for soups and clouds", 2018).
 [[nodiscard]] MeanWinding measure_winding(const base::Work& work, const geometry::PointTree& tree,
                                           const NeighbourLists& near, const geometry::VecArray& normal);
 

@@ -27,7 +27,7 @@ namespace {
 constexpr std::int64_t clusters_a_task = 256;
 constexpr std::int64_t places_a_look = 512;
 
-// Adds up a sum for each cluster, by its name.
+// Sums numbers for each cluster. A cluster is identified by its name.
 struct ClusterSums {
     explicit ClusterSums(const base::Runtime& runtime) noexcept
         : sum(runtime.memory), is_there(runtime.memory), names(runtime.memory) {}
@@ -65,7 +65,7 @@ struct SignTerms {
         for (std::int64_t k = 0; k < blocks.coarse_count; ++k) dense[blocks.coarse[k]] = k + 1;
     }
 
-    // Returns the part of its term that an element adds.
+    // Returns the contribution of an element to its term.
     [[nodiscard]] Vec4 part(std::int64_t element, const Signs& signs) const noexcept {
         const float* const a = terms.add.data() + 4 * element;
         const auto s = static_cast<float>(signs[blocks.set[element]]);
@@ -137,8 +137,8 @@ private:
         double strength = -1.0; // |coupling| divided by the root of the product of both self energies
     };
     struct ClusterLink {
-        std::int32_t to; // the cluster that it joined in this round; a root is joined to itself
-        bool turned;     // the cluster's sign differs from that of `to`
+        std::int32_t to; // the cluster that this one joins in the round; a root joins itself
+        bool turned;     // true if the sign of the cluster differs from the sign of `to`
     };
 
     template <class F>
@@ -218,7 +218,7 @@ private:
         const base::ScratchPool<ClusterSums>::Lease sums(sums_);
         sums->clear(size_);
         for_terms(name, [&](std::int64_t term) {
-            progress_.check(); // A large cluster has many terms.
+            progress_.check(); // A large cluster has many terms, so this may take long.
             const Vec4 own = part_of(name, term);
             energy_.for_elements(term, [&](std::int64_t e) {
                 const std::int32_t other = cluster_[blocks_.set[e]];
@@ -299,12 +299,12 @@ private:
     base::Array<Partner> partner_;
     base::Array<std::int64_t> count_; // number of members
     base::Array<ClusterLink> joined_;
-    base::Array<std::uint8_t> finished_; // for each term
+    base::Array<std::uint8_t> finished_; // for each term: 1 if it is finished
     base::Array<std::int32_t> names_;
     base::ScratchPool<ClusterSums> sums_;
 };
 
-// The totals of all terms. They give the change of the energy if a set of places is turned.
+// The totals of all terms. They tell how the energy changes if a set of places is turned.
 class SignFlipper {
 public:
     SignFlipper(const SignTerms& energy, Signs& signs, const base::Progress& progress)
@@ -422,8 +422,8 @@ double improve(const SignTerms& energy, const Levels& levels, Signs& signs, cons
     return turning.energy();
 }
 
-// Returns patches as clusters: a place and the neighbours on its sheet whose normals agree with its own. Writes the
-// signs of these neighbours.
+// Returns patches, which serve as first clusters. A patch is a place with those neighbours on its sheet whose normals
+// agree with its normal. Writes the signs of the neighbours.
 [[nodiscard]] base::Array<std::int32_t> find_patches(const OrderedPoints& places, const NeighbourLists& near,
                                                      const geometry::VecArray& normal, Signs& signs) {
     base::Array<std::int32_t> patch(signs.memory(), places.size());

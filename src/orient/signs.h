@@ -15,7 +15,7 @@ using Signs = base::Array<std::int8_t>; // 1 or -1 for each place
 
 [[nodiscard]] Signs all_positive(base::Memory& memory, std::int64_t size);
 
-// Gives directions the signs of least energy. For a large cloud the solver starts from patches of neighbours.
+// Gives directions the signs of least energy. For a large cloud, the search starts from patches of neighbours.
 void find_signs(const base::Work& work, const OrderedPoints& places, const NeighbourLists& near,
                 const fit::HermiteEnergy& energy, geometry::VecArray& normal);
 

@@ -72,7 +72,7 @@ Sizes sizes_of(const Labels& labels, const Vector<double>& areas, Pool& pool) {
     return sizes;
 }
 
-// Marks the parts that are too small for a surface of their own.
+// Returns 1 for each part that is too small for a separate surface.
 Vector<std::uint8_t> small_parts(const Sizes& sizes, Pool& pool) {
     const double area = sum_in_pairs(sizes.area);
     Vector<std::uint8_t> little(&pool);
@@ -102,8 +102,8 @@ std::int64_t cell_number(double x) noexcept {
     return std::abs(lower) < limit ? static_cast<std::int64_t>(lower) : std::numeric_limits<std::int64_t>::min();
 }
 
-// Calls visit(span of CellPlace) for each grid cell that holds places of several parts. Eight shifted grids of cubes
-// are used. Any two places that are closer than half a side share a cube of at least one grid.
+// Calls visit(span of CellPlace) for each grid cell that holds places of several parts. There are eight grids of cubes,
+// shifted against each other. Any two places closer than half a side share a cube of at least one grid.
 template <class Visit>
 void for_meetings(const PlacesOnParts& places, double side, Pool& pool, Visit&& visit) {
     Vector<CellPlace> cells(places.place.size(), CellPlace{}, &pool);
@@ -145,7 +145,7 @@ private:
     Vector<std::uint8_t> is_pair_;
 };
 
-// Lists the parts in a cell, each once.
+// Lists the parts that have places in a cell, each part once.
 void list_parts(std::span<const CellPlace> cell, const PlacesOnParts& places, Vector<std::int64_t>& parts) {
     parts.clear();
     for (const CellPlace& one : cell) parts.push_back(places.part[one.place]);
@@ -235,7 +235,7 @@ BorderPlaces places_on_borders(const Points& points, const Vector<Triangle>& fac
     return places;
 }
 
-// A place on the border of `part` that lies beside the border of `other`.
+// A place on the border of the part `part`, close to the border of the part `other`.
 struct BorderNeighbour {
     std::int64_t part, other;
     std::size_t place;
@@ -246,7 +246,9 @@ void add_border_neighbours(std::span<const CellPlace> cell, const BorderPlaces& 
                            Vector<BorderNeighbour>& found) {
     for (const CellPlace& one : cell) {
         const std::int64_t part = places.on.part[one.place];
-        std::int64_t last = part; // The last part found is skipped, because places of one part often follow each other.
+        // The part that was found last. It is not added again, which saves time: consecutive places often have the same
+        // part.
+        std::int64_t last = part;
         for (const CellPlace& two : cell) {
             const std::int64_t other = places.on.part[two.place];
             if (other == part || other == last) continue;

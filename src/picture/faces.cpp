@@ -8,7 +8,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// A side in the list of its lower vertex.
+// A side of a face, stored in the list of the side's lower vertex.
 struct SideOfVertex {
     std::int64_t high; // The higher vertex of the side.
     std::int64_t side;

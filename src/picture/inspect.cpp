@@ -381,7 +381,7 @@ struct RepairedMesh {
     std::optional<Error> error;
 };
 
-// Mends a mesh as a fit does, and keeps all its parts.
+// Mends a mesh as for a fit, but keeps all its parts.
 RepairedMesh repair_mesh(const Call& call, const Shape& shape) {
     Stage stage(call.report, HRBFNPR_STAGE_MESH);
     auto desc = defaults<hrbfnpr_mesh_desc>(hrbfnpr_mesh_desc_init);

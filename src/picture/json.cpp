@@ -63,7 +63,8 @@ public:
     }
     [[noreturn]] bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
                                   const Reader::exception& error) {
-        const char* const at = std::strstr(error.what(), "line "); // The message follows the name of the exception.
+        // The useful part of the message begins after the name of the exception.
+        const char* const at = std::strstr(error.what(), "line ");
         fail(Status::invalid_argument, "this is not JSON: %s", at != nullptr ? at : error.what());
     }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Turns a mesh into surfaces. prepare_mesh() welds it, turns its faces outward, removes lost parts, samples it, and
-// divides coarse faces. groups_of_mesh() separates parts that make no surface together. surface_of_group() fits a
-// model, and end_of_mesh() ends it where the mesh ends.
+// Turns a mesh into surfaces, in this order: prepare_mesh() welds it, turns its faces outward, removes lost parts,
+// samples it, and divides coarse faces. groups_of_mesh() separates parts that cannot belong to one surface.
+// surface_of_group() fits a model, and end_of_mesh() ends the model where the mesh ends.
 #include "picture/mesh_surface.h"
 
 #include "api/mesh.h"
@@ -52,7 +52,7 @@ bool edges_are_as_given(const Options& options) noexcept {
 
 bool keeps_faces(const Options& options) noexcept { return options.desc.normals == HRBFNPR_NORMALS_GIVEN; }
 
-// Returns the wishes for a mesh with this diagonal.
+// Returns the caller's wishes for a mesh with this diagonal.
 mesh::MeshOptions wishes_of(const Options& options, double across) {
     mesh::MeshOptions wishes;
     wishes.edges_as_given = edges_are_as_given(options);
@@ -117,7 +117,7 @@ void sample_mesh(const Mesh& mesh, const hrbfnpr_sample_desc& desc, Points& poin
 
 // ---- The mesh that was looked at
 
-// A mesh after inspection, with its shape and evenly spread samples.
+// A mesh after prepare_mesh(), with its shape and evenly spread samples.
 struct PreparedMesh {
     Mesh mesh;
     Shape shape;
@@ -182,7 +182,7 @@ void leave_out_faces(const Call& call, const FaceNumbers& which, Mesh& mesh, Sha
     mesh = welded_mesh(call, shape.points, shape.triangles, operation);
 }
 
-// Counts the parts far away with their faces, and the leftover faces, that were removed.
+// The numbers of removed faces: in lost parts, and leftover ones.
 struct LeftOutParts {
     std::int64_t far_parts = 0, far_faces = 0, flaps = 0;
 };
@@ -271,7 +271,7 @@ double farthest_moved(const Points& from, const Points& to) noexcept {
     return most;
 }
 
-// Divides the faces of a welded mesh as planned, and judges the result.
+// Divides the faces of a welded mesh as planned, and checks the result.
 DivisionResult divide(const Call& call, const Shape& welded, const mesh::CoarsePlan& plan, mesh::EdgesInFile said,
                       const mesh::MeshOptions& wishes, Shape& finer, const base::Progress& progress) {
     Pool& pool = call.pool;
@@ -333,8 +333,8 @@ void tell_divided(const Call& call, const DivisionResult& found) {
                                  percent_of(found.coarseness, 2, pool).c_str(), moved.c_str())});
 }
 
-// Makes a mesh round where it is coarse but stands for a round shape, and keeps its sharp edges, as far as the two can
-// be distinguished.
+// Divides the coarse faces of a mesh that approximates a round shape. Sharp edges are kept if they can be distinguished
+// from coarse ones.
 DivisionResult make_round(const Call& call, PreparedMesh& looked, Stage& stage) {
     Pool& pool = call.pool;
     const Options& options = call.options;
@@ -395,7 +395,7 @@ std::int64_t samples_of_look(const Call& call) {
     return wanted;
 }
 
-// Turns faces that point the wrong way, and makes the mesh round where it is coarse.
+// Turns faces that point the wrong way, then divides coarse faces.
 void sample_and_divide(const Call& call, PreparedMesh& looked) {
     const Options& options = call.options;
     const std::int64_t count = samples_of_look(call);
@@ -532,6 +532,8 @@ hrbfnpr_fit_desc solver_of_mesh(const Options& options, bool ends) {
 
 // The advice for a fit that did not reach its tolerance.
 struct Remedy {
+
+    // Returns advice for the case that a fit does not reach its tolerance.
     String text;
     const char* detail = "";
 };
@@ -667,8 +669,7 @@ Model end_of_mesh(const Call& call, const Model& model, const Mesh& mesh,
     return ended;
 }
 
-// Makes the surface of a group. `looked` has the samples of the whole mesh, which serve where the fit does not choose
-// its own.
+// Makes the surface of a group. `looked` has samples of the whole mesh, for a fit that does not choose its samples.
 Surface surface_of_group(const Call& call, MeshGroup&& group, const PreparedMesh& looked, double across) {
     Surface surface;
     if (chooses_samples(call.options)) {

@@ -13,6 +13,7 @@ namespace {
 template <class Found>
 String distances_of(const Found& found, double diagonal, Pool& pool) {
     const auto share = [&](double distance) { return percent_of(distance / diagonal, 2, pool); };
+    // If no surface is found near some places of the mesh, the distance is infinite.
     if (std::isnan(found.surface_p99)) return {"no surface near the mesh", &pool};
     // For some places of the mesh no surface may be found at all.
     if (!std::isfinite(found.mesh_p99)) return {"parts of the mesh have no surface near them", &pool};

@@ -43,7 +43,7 @@ glm::dvec3 mean_point(const Points& points) noexcept {
     return std::accumulate(points.begin(), points.end(), glm::dvec3(0.0)) / static_cast<double>(points.size());
 }
 
-// A subset of the samples, centred at the origin and scaled to size 1.
+// Some of the samples, centred at the origin and scaled to size 1.
 struct NormalSamples {
     Points points;
     Points normals;
@@ -51,7 +51,7 @@ struct NormalSamples {
     Vector<double> area;
 };
 
-// Returns the winding number of the samples at a place. A flat piece fills at most half of the view.
+// Returns the winding number of the samples at a place. The solid angle of one sample is limited to half of the view.
 double winding_number(const glm::dvec3& place, const NormalSamples& samples) noexcept {
     double sum = 0.0;
     for (std::size_t j = 0; j < samples.points.size(); ++j) {
@@ -64,7 +64,7 @@ double winding_number(const glm::dvec3& place, const NormalSamples& samples) noe
     return sum;
 }
 
-// Returns, for some samples, the sums of the winding numbers on both sides.
+// Returns, for some samples, the sum of the winding numbers on their two sides.
 Vector<double> winding_sums(const NormalSamples& samples, Pool& pool) {
     constexpr double least_step = 1e-6;
     Vector<double> sums(&pool);
@@ -89,8 +89,8 @@ double share_outside_in(const Vector<double>& sums) noexcept {
     return telling / static_cast<double>(sums.size()) > normals_tuning.telling_share ? negative / telling : 0.0;
 }
 
-// Sets look.against, the share of normals that oppose most neighbours on the same sheet, and look.flipped, which
-// follows from the share of opposed pairs of neighbours.
+// Sets look.against, the share of normals that are opposite to most neighbours on the same sheet, and look.flipped, an
+// estimate from the share of opposite pairs.
 void compare_neighbours(const NormalSamples& samples, const geometry::Neighbours& near, NormalsLook& look) noexcept {
     const std::size_t count = samples.points.size();
     std::int64_t against = 0;

@@ -40,11 +40,11 @@ struct SharedPlaces {
     std::int64_t joined = 0;   // Positions where one sample remains, with the mean normal.
     std::int64_t left_out = 0; // Positions where no sample remains, because the normals are opposite.
 };
-// Leaves at most one sample at each place where normals differ, such as the vertices on a sharp edge of a mesh. The
-// points must be finite.
+// Leaves at most one sample at each position with different normals, such as a vertex on a sharp edge. The points must
+// be finite.
 SharedPlaces merge_shared_places(Points& points, Points& normals, Pool& pool);
 
-// The directions and places, where known, from which open surfaces were seen.
+// The directions and positions from which open surfaces were seen, if they are known.
 struct ViewingHints {
     std::optional<glm::dvec3> up;
     std::optional<glm::dvec3> viewpoint;
@@ -58,12 +58,11 @@ struct MadeNormals {
 // The detail of a warning whose advice is to turn faces.
 constexpr const char* how_to_turn_faces =
     "MeshLab: Filters, Re-Orient all faces coherently. Blender: Mesh, Normals, Recalculate Outside.";
-
-// Makes or repairs normals. `mode` is a constant HRBFNPR_NORMALS_* for the state of the given normals. With
-// NONE `normals` is empty.
+// Makes or repairs normals. `mode`, a constant HRBFNPR_NORMALS_*, describes the given normals. For NONE, `normals` is
+// empty.
 [[nodiscard]] MadeNormals make_normals(const Call& call, Stage& stage, const Points& points, const Points& normals,
                                        std::uint32_t mode, const ViewingHints& seen);
-// Returns the words that follow "the normals are" for a constant HRBFNPR_NORMALS_* of an orient_info.
+// Returns words for a constant HRBFNPR_NORMALS_* of an orient_info, to follow "the normals are".
 [[nodiscard]] const char* found_in_words(std::uint32_t found) noexcept;
 // Describes in words how make_normals() changed the normals of this many points.
 [[nodiscard]] String made_in_words(const hrbfnpr_orient_info& info, std::size_t count, Pool& pool);
@@ -74,7 +73,7 @@ void tell_unsure_normals(const Call& call, const hrbfnpr_orient_info& info);
 // constant HRBFNPR_NORMALS_*; GIVEN keeps the normals.
 [[nodiscard]] String settle_normals(const Call& call, Stage& stage, const Points& points, Points& normals,
                                     std::uint32_t mode, const ViewingHints& seen);
-// Does the same with the library's normals, whatever the given ones look like.
+// Like settle_normals(), but always replaces the given normals by normals of the library.
 [[nodiscard]] String repaired_normals(const Call& call, Stage& stage, const Points& points, Points& normals,
                                       std::uint32_t mode, const ViewingHints& seen);
 

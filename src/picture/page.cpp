@@ -219,11 +219,11 @@ double number_of_text(std::string_view text) noexcept {
     return parse_number(without_blanks(text)).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-// The place of the content on a page.
+// The position of the content on a page.
 struct PagePlacement {
-    glm::dvec2 corner; // mm
-    double scale;      // mm per pixel
-    glm::dvec2 page;   // mm
+    glm::dvec2 corner; // in mm
+    double scale;      // mm on the page per pixel
+    glm::dvec2 page;   // the size in mm
 };
 
 PagePlacement placed_on_paper(const glm::dvec2& size, const hrbfnpr_picture_page_desc& desc, const Report& report) {

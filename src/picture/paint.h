@@ -64,8 +64,8 @@ std::int32_t painted_density(void* user, std::int64_t count, const double* posit
 std::int32_t painted_direction(void* user, std::int64_t count, const double* positions, const double* normals,
                                double* directions) noexcept;
 
-// Puts painted maps into a style and into layers of marks, which then hold them. `camera` gives the direction of a
-// light that moves with the camera. Throws Error{invalid_argument} if a light has no direction.
+// Makes a style and layers of marks use painted maps, which they then hold. `camera` gives the direction of a light
+// that moves with the camera. Throws Error{invalid_argument} if a light has no direction.
 void set_paint(std::span<const hrbfnpr_dab> dabs, const hrbfnpr_camera& camera, Style& style, Marks& marks, Pool& pool);
 
 } // namespace hrbfnpr::picture

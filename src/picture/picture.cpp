@@ -120,7 +120,7 @@ String key_of_lines(const Call& call, const Style& style, const Vector<WantedLin
     return key;
 }
 
-// Returns the parts that another picture of the same surfaces has made, if they fit this picture.
+// Returns the marks and lines of another picture of the same surfaces, if they fit this picture.
 std::optional<Vector<Part>> find_made_parts(const hrbfnpr_picture& picture, const Marks* marks,
                                             const String* lines_key) {
     const hrbfnpr_picture& root = picture.root();

@@ -25,7 +25,7 @@ namespace hrbfnpr::picture {
 // Returns a count with its noun: "1 sample", "2 samples", "2 vertices".
 [[nodiscard]] String count_of(std::int64_t count, std::string_view what, Pool& pool);
 
-// Returns the verb for this count: "1 point has", "2 points have".
+// Formats like printf, and returns a String.
 [[nodiscard]] constexpr const char* has_or_have(std::int64_t count) noexcept { return count == 1 ? "has" : "have"; }
 
 // Returns a name that a user chose, or as much of it as fits in a note.
@@ -43,7 +43,7 @@ struct Note {
     std::array<double, 8> figures;
     String text;
     String advice; // empty if the text already says what to do
-    String detail; // empty if the text says all
+    String detail; // advice; empty if the text already says what to do
 };
 
 struct FinishedStage {
@@ -60,7 +60,7 @@ struct More {
     std::string_view detail = {}; // one or two sentences for those who ask for more
 };
 
-// Stores all notes and stages, and passes them to the caller as they come.
+// Stores all notes and stages, and passes each to the caller at once.
 class Report {
 public:
     Report(Pool& pool, std::uint32_t wording, hrbfnpr_picture_event_fn on_event, void* user, hrbfnpr_context& context,
@@ -73,7 +73,7 @@ public:
     void info(std::uint32_t code, std::initializer_list<double> figures, std::string_view text);
     void note(std::uint32_t code, std::initializer_list<double> figures, std::string_view text, const More& more = {});
     void warn(std::uint32_t code, std::initializer_list<double> figures, std::string_view text, const More& more = {});
-    // Reports a failure that is not an error of the call.
+    // Reports a failure in a note, without throwing an error.
     void failure(std::uint32_t code, std::string_view text);
     // Stores the full text as a note. Throws Error{invalid_argument} with as much of the text as fits.
     [[noreturn]] void fail(std::uint32_t code, std::initializer_list<double> figures, std::string_view text);
@@ -98,7 +98,8 @@ private:
     friend class Serving;
     void tell(std::uint32_t severity, std::uint32_t code, std::initializer_list<double> figures, std::string_view text,
               const More& more = {});
-    // Returns the entry of an earlier call's stage of the same kind; null if there was none or planning goes on.
+    // After planning, returns the stored stage of the same kind, or null if there is none. During planning it returns
+    // null.
     [[nodiscard]] FinishedStage* kept_before(std::uint32_t stage) noexcept;
     const FinishedStage& keep(FinishedStage&& finished);
 

@@ -26,7 +26,7 @@ struct PlanTuning {
     // The limits of hrbfnpr_layer_desc. Notes advise no larger numbers.
     double largest_budget = 1e8;
     double largest_levels = 12.0;
-    // The radius of the marks of published strokes, which are dots, in pens. Larger: darker tones.
+    // The radius of the dots that draw published strokes, in pens. Larger: darker tones.
     float published_dot = 1.1F;
     // The share of published strokes that the style "full" draws together with its stipples. Larger: more strokes in
     // light tones.

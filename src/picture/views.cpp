@@ -235,7 +235,8 @@ void trace_lines_of(Solid& solid, const Call& call_, const Surface& surface, con
     });
     auto info = defaults<hrbfnpr_line_set_info>(hrbfnpr_line_set_info_init);
     call([&](hrbfnpr_error* error) { return hrbfnpr_line_set_get_info(solid.lines.get(), &info, error); });
-    if (info.creases > 0) solid.creases.clear(); // The model's own creases are already among the lines.
+    // The model itself has creases, so the edges of the mesh are not needed.
+    if (info.creases > 0) solid.creases.clear();
     stage.says(formatted(pool, "%s of the mesh on %lld triangles",
                          count_of(static_cast<std::int64_t>(solid.creases.size()), "sharp edge", pool).c_str(),
                          static_cast<long long>(info.triangles)));
@@ -361,8 +362,7 @@ SheetContent draw_sheet(const Call& call, const Surface& surface, const ViewsOpt
     }
     SheetContent content(options.line_width, options.hidden == HiddenLines::shown, pool);
     Stage stage(call.report, HRBFNPR_STAGE_VIEWS);
-    hrbfnpr_operation part(
-        call.context); // The stage cancels the calls of a view, which report no progress of their own.
+    hrbfnpr_operation part(call.context); // The calls for a view report no progress. This operation only cancels them.
     part.operation.set_parent(&stage.operation()->operation);
     String names(&pool);
     const double scale = plan.layout.unit_scale;

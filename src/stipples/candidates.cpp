@@ -25,8 +25,9 @@ constexpr double unit_of_32_bits = 1.0 / 4294967296.0;
 
 // ---- 1. Cells whose planes match the surface
 
-// A cell is flat if its plane agrees with the planes of the cells beside it: no other sheet is nearer, and the surface
-// does not bend. The turn of the normals gives their divergence, twice the mean curvature.
+// Judges the plane of a cell. The cell is flat if its plane agrees with the planes of the cells beside it: then no
+// other sheet is near, and the surface does not bend. The turn of the normals from cell to cell gives their divergence,
+// which is twice the mean curvature.
 [[nodiscard]] ClassifiedCell classify_cell(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
                                            std::int64_t number, CellMap::BlocksAround& blocks) noexcept {
     constexpr ClassifiedCell bent = {CellKind::bent, 0.0F};
@@ -82,7 +83,7 @@ struct PlaneTrials {
     std::int32_t count;
     std::uint32_t u, v; // the coordinates of the first trial on the face
     std::uint32_t step_u, step_v;
-    double ticket_offset; // random, in [0, 1): the ticket of trial k is (k + ticket_offset) / count
+    double ticket_offset; // a random number in [0, 1); the ticket of trial k is (k + before) / count
     double level, slope_u, slope_v;
 
     // Returns the place of a trial on the plane, in sides of the cell, relative to its centre.
@@ -151,9 +152,9 @@ void store_candidate(const glm::vec3& position, float normal, std::uint32_t tick
     candidates.ticket[place] = ticket;
 }
 
-// The plane touches the surface at the point nearest to the cell's centre. At a distance t from there, a surface of
-// mean curvature k is 1/2 k t^2 below the plane, if the principal curvatures are equal. Candidates stay in their cells,
-// because the order looks for them there.
+// Adds the candidates of a flat cell. The plane touches the surface at the point nearest to the cell's centre. At a
+// distance t from there, a surface of mean curvature k is k t^2 / 2 below the plane, if its principal curvatures are
+// equal. Candidates stay in their cells, because the order searches for them there.
 void store_plane_candidates(const marks::Site& site, const ClassifiedCells& classified, std::int64_t number,
                             const PlaneCandidates& planes, std::int64_t to, Candidates& candidates) noexcept {
     const SurfaceCells& cells = classified.cells;
@@ -173,7 +174,7 @@ void store_plane_candidates(const marks::Site& site, const ClassifiedCells& clas
 
 // ---- 3. Candidates in the layer
 
-// Returns the cell of a place; -1 outside the region or the cells.
+// Returns the cell of a place, or -1 if the place is outside the region or in no cell.
 [[nodiscard]] std::int32_t cell_of(const ClassifiedCells& classified, const glm::dvec3& p) noexcept {
     const SurfaceCells& cells = classified.cells;
     return cells.region.contains(p) ? classified.number.find(geometry::morton_code(cells.grid.cell_of(p))) : -1;
@@ -218,7 +219,7 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
     ticket.resize(kept);
 }
 
-// Returns how often each trial counts: once within the band, but near creases 0, 1 or 2 times.
+// Returns how many times each trial counts: once inside the band, or 0, 1 or 2 times near creases.
 [[nodiscard]] base::Array<std::uint8_t> trial_weights(const marks::Site& site, const SurfaceCells& cells,
                                                       const geometry::VecArray& trial,
                                                       const marks::FieldSamples& field) {
@@ -250,12 +251,13 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
     return times;
 }
 
-// The number of a trial's projections in cells that are not flat, and the number outside all cells or off the surface.
+// For one trial: the number of its projections in cells that are not flat, and the number outside all cells or off the
+// surface.
 struct ProjectionCounts {
     std::uint8_t kept = 0, strayed = 0;
 };
 
-// Makes the projections of a trial: its own, and then others around that one in the tangent plane.
+// Makes the projections of a trial: its own projection, then further ones around it in the tangent plane.
 [[nodiscard]] ProjectionCounts project_trial(const marks::Site& site, const ClassifiedCells& classified,
                                              const glm::dvec3& trial, std::uint32_t first_ticket, double distance,
                                              const glm::dvec3& gradient, std::uint32_t count, Projection* to) noexcept {
@@ -265,7 +267,7 @@ struct ProjectionCounts {
     const geometry::TangentFrame frame = geometry::combing_frame(normal);
     const float bits = packed(normal);
     const glm::dvec3 projection = trial - distance * normal;
-    // If the cell's plane is wrong about the trial, one step is not enough.
+    // Where the plane of the cell is wrong at the trial, one Newton step is not enough.
     const std::int32_t own = cell_of(classified, trial);
     const bool bent =
         site.implicit.sheets() != nullptr || own < 0 ||
@@ -301,7 +303,7 @@ void project_trials(const marks::Site& site, const ClassifiedCells& classified, 
     evaluate(site, trial, field);
     const base::Array<std::uint8_t> times = trial_weights(site, classified.cells, trial, field);
     const std::int64_t most = (site.implicit.sheets() != nullptr ? 2 : 1) * layer.projections_per_trial;
-    base::Array<Projection> projection(site.memory()); // `most` places for each trial
+    base::Array<Projection> projection(site.memory()); // up to `most` projections for each trial
     base::Array<ProjectionCounts> counts(site.memory(), trial.size());
     projection.resize_for_overwrite(most * trial.size());
     site.work.for_chunks(trial.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
@@ -319,7 +321,7 @@ void project_trials(const marks::Site& site, const ClassifiedCells& classified, 
 }
 
 // Returns whether many projections are off the surface although the planes of their cells agree with them. This happens
-// if the function is not a distance, such as the square of one: all planes are then wrong in the same way.
+// if f is not like a distance, for example the square of a distance. All planes are then wrong in the same way.
 [[nodiscard]] bool many_are_off_surface(const marks::Site& site, const SurfaceCells& cells,
                                         std::span<const Projection> projections) {
     geometry::VecArray place(site.memory());
@@ -371,7 +373,7 @@ void project_trials(const marks::Site& site, const ClassifiedCells& classified, 
     return std::abs(distance) > stipple_tuning.surface_tolerance * cells.grid.side;
 }
 
-// Moves the projections from number `first` on further down where one step is not enough.
+// Moves the projections from number `first` on by further steps, where one step is not enough.
 void refine_projections(const marks::Site& site, const ClassifiedCells& classified, std::int64_t first,
                         LayerCandidates& layer) {
     base::Array<Projection>& all = layer.projection;
@@ -406,7 +408,8 @@ void refine_projections(const marks::Site& site, const ClassifiedCells& classifi
 void merge(const marks::Site& site, const ClassifiedCells& classified, const PlaneCandidates& planes,
            const LayerCandidates& layer, Candidates& candidates) {
     const std::int64_t count = classified.cells.cell.size();
-    base::Array<std::int64_t> next(site.memory(), count); // place of each cell's next candidate; at first, a count
+    // For each cell: the place of its next candidate; at first, the number of candidates.
+    base::Array<std::int64_t> next(site.memory(), count);
     for (const Projection& projection : layer.projection) ++next[projection.cell];
     std::int64_t groups = 0;
     for (std::int64_t cell = 0; cell < count; ++cell) {
@@ -445,7 +448,7 @@ ClassifiedCells classify_cells(const marks::Site& site, const SurfaceCells& cell
 PlaneCandidates draw_on_planes(const marks::Site& site, const ClassifiedCells& classified, std::uint32_t stream,
                                double density, double most_trials) {
     HRBFNPR_ASSERT(density > 0.0);
-    constexpr double most_of_cell = 1e6; // keeps trial numbers within 32 bits
+    constexpr double most_of_cell = 1e6; // Limits the trials of a cell, so that their numbers fit into 32 bits.
     const auto flat =
         static_cast<double>(std::count_if(classified.cell.begin(), classified.cell.end(),
                                           [](const ClassifiedCell& c) { return c.kind == CellKind::flat; }));
@@ -453,7 +456,7 @@ PlaneCandidates draw_on_planes(const marks::Site& site, const ClassifiedCells& c
                            base::Array<std::int32_t>(site.memory(), classified.cell.size())};
     site.work.for_chunks(classified.cell.size(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
-            site.work.check(); // a cell may have many trials
+            site.work.check(); // A cell may have many trials, so this checks for cancellation.
             if (classified.kind(i) == CellKind::flat)
                 for_candidates_on_plane(site, classified.cells, i, planes,
                                         [&](const glm::dvec3&, double) { ++planes.count[i]; });
@@ -486,7 +489,7 @@ LayerCandidates layer_candidates(const ClassifiedCells& classified, std::uint32_
     // The mean distance between marks. Each mark needs about `most` candidates.
     const double spacing = std::sqrt(cells.rough_area() * most / static_cast<double>(wanted));
     layer.projections_per_trial = std::clamp<std::int64_t>(std::lround(0.5 * most * side / spacing), 1, most);
-    // A projection is less than a side from its trial point: sqrt(band^2 + 2 projection_stride^2) = 0.93 sides.
+    // A projection is less than a side away from its trial: sqrt(band^2 + 2 stride^2) = 0.93 sides.
     CellMap::BlocksAround blocks;
     base::Array<std::uint8_t> taken(cells.cell.memory(), classified.cell.size());
     for (std::int64_t i = 0; i < classified.cell.size(); ++i) {
@@ -542,7 +545,7 @@ Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, s
     const std::uint32_t stream = marks::stream_of(kind);
     const ClassifiedCells classified = classify_cells(site, cells);
     LayerCandidates layer = layer_candidates(classified, stream, wanted);
-    // Where the function is not a distance, the area from cells is wrong, and the first round gives too few candidates.
+    // If f is not like a distance, the area computed from cells is wrong, and the first round gives too few candidates.
     const auto many = static_cast<double>(wanted);
     double density = many / cells.rough_area();
     PlaneCandidates planes{stream, density, 0.0, base::Array<std::int32_t>(site.memory())};

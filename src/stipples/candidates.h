@@ -18,8 +18,8 @@ namespace hrbfnpr::stipples {
 
 // How a cell's plane can be used.
 enum class CellKind : std::uint8_t {
-    empty, // the plane does not pass through the cell
-    flat,  // the plane matches the surface
+    empty, // The plane does not pass through the cell.
+    flat,  // The plane matches the surface.
     bent   // the planes of neighbours disagree, or the cell has no plane
 };
 
@@ -37,7 +37,7 @@ struct ClassifiedCells {
     }
 
     const SurfaceCells& cells;
-    CellMap number; // gives the number of a cell by its code
+    CellMap number; // finds the number of a cell by its code
     base::Array<ClassifiedCell> cell;
 };
 
@@ -55,7 +55,7 @@ struct PlaneCandidates {
     [[nodiscard]] double area() const noexcept { return all > 0 ? static_cast<double>(all) / density : 0.0; }
 };
 
-// Draws `density` candidates per unit of area, but no more than `most_trials` trials in all cells together.
+// Generates `density` candidates per unit of area, with at most `most_trials` trials in all cells together.
 [[nodiscard]] PlaneCandidates draw_on_planes(const marks::Site& site, const ClassifiedCells& classified,
                                              std::uint32_t stream, double density, double most_trials);
 
@@ -81,12 +81,12 @@ struct LayerCandidates {
     // Returns an estimate of the area: before the first draw from the volume, and later from the projections.
     [[nodiscard]] double area() const noexcept;
 
-    std::uint32_t stream = 0;               // the stream of random numbers that points are drawn from
-    std::int64_t projections_per_trial = 1; // the number of projections per trial
-    base::Array<std::int32_t> trial_cell;   // all cells whose trials may have a projection in a bent cell
+    std::uint32_t stream = 0;               // the stream of random numbers for the points
+    std::int64_t projections_per_trial = 1; // the number of projections for each trial
+    base::Array<std::int32_t> trial_cell;   // all cells in which a trial may have a projection into a bent cell
     double volume = 0.0;                    // the volume of these cells
-    double reach = 0.0, band = 0.0;         // as in SurfaceCells
-    // These grow with each draw.
+    double reach = 0.0, band = 0.0;         // the same as in SurfaceCells
+    // These arrays grow with each draw.
     base::Array<Projection> projection;
     std::uint32_t rounds = 0;
     double trials = 0.0;
@@ -96,10 +96,10 @@ struct LayerCandidates {
     bool all_bent = false; // True if one step is not enough even where the planes of cells are correct.
 };
 
-// `wanted`: the number of candidates of the whole surface.
+// Makes an empty layer. `wanted` is the number of candidates for the whole surface.
 [[nodiscard]] LayerCandidates layer_candidates(const ClassifiedCells& classified, std::uint32_t stream,
                                                std::int64_t wanted);
-// Draws further points until there are about `density` candidates per unit of area.
+// Draws more points, until there are about `density` candidates per unit of area.
 void draw_in_layer(const marks::Site& site, const ClassifiedCells& classified, double density, LayerCandidates& layer);
 
 // The candidates, cell by cell along a space-filling curve. They are in single precision, because the chosen candidates

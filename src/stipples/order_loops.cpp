@@ -30,7 +30,7 @@ HWY_INLINE W coordinate(hn::Vec<U> bits) {
     return hn::Sub(hn::ConvertTo(F(), hn::BitCast(I(), ten)), hn::Set(F(), 511.5F));
 }
 
-// One mark, repeated in all lanes. Normals are not of unit length.
+// A mark, repeated in all lanes. Normals need not have unit length.
 struct MarkInLanes {
     HWY_INLINE explicit MarkInLanes(const OrderMark& mark)
         : x(hn::Set(F(), mark.position[0])), y(hn::Set(F(), mark.position[1])), z(hn::Set(F(), mark.position[2])),
@@ -92,7 +92,7 @@ struct Lanes {
 // it.
 HWY_INLINE float infinite_beyond_most(float x) { return x < 3.4028234e38F ? x : __builtin_inff(); }
 
-// Keeps the lowest energy of each lane, and the first index that has it.
+// Keeps the lowest energy of each lane, and the first index with this energy.
 class LowestSearch {
 public:
     explicit LowestSearch(float least_clearance)
@@ -166,7 +166,7 @@ LowestEnergy add_energy_and_find(const OrderBlock& block, const OrderMark& mark,
     return search.found();
 }
 
-// Another thread may be writing the numbers after the last one, so the remainder is copied before it is loaded.
+// Another thread may be writing to the numbers after the last one, so the last vector is copied before it is loaded.
 std::int64_t index_of_smallest(const float* numbers, std::int64_t count) {
     LowestSearch search(0.0F);
     std::int64_t at = 0;

@@ -42,8 +42,8 @@ struct OrderMark {
     float normal; // packed by packed_normal()
 };
 
-// Normals whose cosine is below this belong to opposite sides: marks see each other over a crease, but not through a
-// thin sheet.
+// Two normals whose cosine is below this are on opposite sides. Marks affect each other across a crease, but not
+// through a thin sheet.
 inline constexpr float least_side_cosine = -0.3F;
 
 // Packs a normal into ten bits per coordinate. This is enough to distinguish sides and to define a tangent plane.
@@ -55,11 +55,13 @@ inline void unpack_normal(float packed, float (&normal)[3]) noexcept {
     for (unsigned c = 0; c < 3; ++c) normal[c] = static_cast<float>(bits >> (10U * c) & 1023U) - unpacked_length;
 }
 
-// A summary of a cell's energies, which are infinite where no candidate is open.
+// The lowest energies in a cell. They are infinite if no candidate is open.
 struct LowestEnergy {
+    // Among the candidates with clearance >= enough, the index of the first with the lowest energy. -1 if there is no
+    // such candidate.
     std::int64_t at;        // the first with the lowest energy among those with clearance >= enough; -1: none is open
-    float energy;           // its energy
-    float at_any_clearance; // the lowest energy at any clearance
+    float energy;           // the energy of the candidate `at`
+    float at_any_clearance; // the lowest energy of all candidates, whatever their clearance
 };
 
 struct OrderLoops {
@@ -68,14 +70,15 @@ struct OrderLoops {
     using AddEnergyAndFind = LowestEnergy (*)(const OrderBlock& block, const OrderMark& mark,
                                               float inverse_squared_reach, float least_clearance);
 
-    // Adds marks to the energies and clearances of candidates. The second function is for a creased surface. Over a
-    // crease between sheets with normals m and n, the straight way o between two points is shorter than the way through
-    // both tangent planes, whose square is o . o - 2 (o . m) (o . n) / (1 + m . n).
+    // Two functions that add marks to the energies and clearances of candidates. The second is for a surface with
+    // creases. Across a crease between sheets with normals m and n, the straight way o between two points is shorter
+    // than the way through both tangent planes, whose square is o . o - 2 (o . m) (o . n) / (1 + m . n).
     AddEnergy add_energy[2];
     LowestEnergy (*lowest)(const OrderBlock& block, float least_clearance);
-    // Does both for one mark.
+    // Two functions that add one mark, and find the lowest candidate in the same pass. The second is for a surface with
+    // creases.
     AddEnergyAndFind add_energy_and_find[2];
-    // Returns the index of the first smallest number; -1 if all are infinite.
+    // Returns the index of the first smallest number, or -1 if all are infinite.
     std::int64_t (*index_of_smallest)(const float* numbers, std::int64_t count);
 };
 

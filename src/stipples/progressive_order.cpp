@@ -21,14 +21,15 @@ using geometry::CellGrid;
 // ---- The data of a stage
 
 struct StageSettings {
-    std::int32_t level = 0;         // the side of a cell is that of the candidates' cells times 2^level
-    double reach = 0.0;             // how far a mark's energy reaches; at most a side
-    std::uint64_t ticket_limit = 0; // candidates with smaller tickets take part
-    double move_clearance = 0.8;    // a candidate at this share of the radius or more may move into its gap
-    double farthest_move = 0.0;     // less than half a side
+    std::int32_t level = 0;         // The side of the stage's cells is that of the candidates' cells times 2^level.
+    double reach = 0.0;             // the distance up to which a mark has energy; at most the side of a cell
+    std::uint64_t ticket_limit = 0; // Only candidates with a smaller ticket take part.
+    // A candidate may move into its gap if its distance from marks is at least this share of the radius.
+    double move_clearance = 0.8;
+    double farthest_move = 0.0; // the longest move of a candidate; less than half a side
 };
 
-// The cells of the last stage. Marks of all stages must stay in them, because the last stage finds no other marks.
+// The cells of the last stage. All marks must stay inside them, because the last stage looks for marks only there.
 struct LastStageCells {
     std::int32_t level;
     CellMap cells;
@@ -132,7 +133,7 @@ struct Stage {
         return number.find(code >> static_cast<unsigned>(3 * settings.level));
     }
 
-    // Stores the summary of a cell's candidates that are far enough from all marks.
+    // Stores which candidate of a cell is the best among those far enough from all marks.
     void store_lowest(std::int32_t c, const LowestEnergy& found) noexcept {
         cell[c].best = static_cast<std::int32_t>(found.at);
         lowest[c] = found.energy;
@@ -175,8 +176,8 @@ struct Stage {
     }
 
     const marks::Site& site;
-    CellGrid grid;           // the candidates' grid, whose cells are those of level 0
-    geometry::Bounds region; // relative to the grid's origin
+    CellGrid grid;           // the grid of the candidates, whose cells are those of level 0
+    geometry::Bounds region; // relative to the origin of the grid
     const LastStageCells& last_stage;
     StageSettings settings;
     float side;          // the side of a cell of the stage, in units of the object
@@ -186,18 +187,20 @@ struct Stage {
     CellMap number; // finds the number of a cell by its code
     base::Array<StageCell> cell;
     base::Array<CellMap::Around> neighbour;
-    base::Array<float> lowest;    // the energy of each cell's best candidate; infinite if none is open
-    base::Array<float> floor;     // no candidate of the cell has a lower energy
+    base::Array<float> lowest; // for each cell: the energy of its best candidate; infinite if none is open
+    base::Array<float> floor;  // for each cell: a lower bound for the energy of its candidates
+    // A candidate is open if its squared distance from all marks is at least this. It is the distance of the last step
+    // of the sweep.
     float least_clearance = 0.0F; // candidates are open if their squared distance from marks is at least this; set for
                                   // the last step of a sweep
-    OrderGroup* group = nullptr;  // `own_group`, or the candidates' own
+    OrderGroup* group = nullptr;  // points to `own_group`, or to the groups of the candidates
     base::Array<OrderGroup> own_group;
     base::Array<ExtraMark> extra;
 
     base::Array<Tile> tile; // the tiles of the first turn, then the tiles of the second, and so on
     std::array<std::int64_t, 9> turn{};
-    base::Array<FreshMark> fresh;          // most_fresh places for each tile of the turn
-    base::Array<std::int32_t> fresh_count; // the number of fresh marks in each tile of the turn
+    base::Array<FreshMark> fresh;          // for each tile of the turn: room for most_fresh marks
+    base::Array<std::int32_t> fresh_count; // for each tile of the turn: the number of its fresh marks
 };
 
 // ---- Making a stage
@@ -284,8 +287,8 @@ void find_tiles(const base::Array<std::uint64_t>& code, Stage& stage) {
     });
 }
 
-// Puts marks of earlier stages into their cells. A mark outside all cells would have no effect; `LastStageCells`
-// prevents that.
+// Puts the marks of earlier stages into cells. A mark outside all cells would have no effect, but `LastStageCells`
+// prevents this.
 void link_all(const OrderedMarks& marks, Stage& stage) {
     base::Array<std::int32_t> cell(stage.site.memory(), marks.size());
     stage.site.work.for_chunks(marks.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
@@ -329,8 +332,8 @@ double signed_area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c
     return u.x * v.y - u.y * v.x;
 }
 
-// Returns the unit direction at p along which the distances to the nearest points a and b grow and stay equal; without
-// b, the direction away from a.
+// Returns the unit direction at p in which the distances to the nearest points a and b grow and stay equal. Without b,
+// it is the direction away from a.
 glm::dvec2 ascent_direction(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2* b) noexcept {
     if (b == nullptr) {
         const double length = glm::length(p - a);
@@ -346,20 +349,21 @@ constexpr std::size_t most_around = 64;
 
 // The marks around a candidate, relative to it.
 struct NearbyMarks {
-    glm::vec3 start, normal; // the candidate's place, relative to the grid's origin, and its unit normal
-    float farthest;          // squared; marks farther than this are ignored
+    glm::vec3 start, normal; // the position of the candidate, relative to the origin of the grid, and its unit normal
+    float farthest;          // the squared distance beyond which marks are ignored
     geometry::TangentFrame frame;
     bool creased;      // true if the surface has creases
     bool bent = false; // true if a mark has a very different normal, but is not across a crease
     std::size_t count = 0;
-    // In the tangent plane, as far away as in space or along the surface.
+    // The marks in the tangent plane of the candidate. Their distances are those in space, or along the surface.
     std::array<glm::dvec2, most_around> tangent_offset;
     std::array<glm::dvec3, most_around> offset;
-    std::array<glm::dvec3, most_around> normal_beyond_crease; // the normals of marks over a crease; 0 for other marks
+    std::array<glm::dvec3, most_around>
+        normal_beyond_crease; // for each mark: its normal if it is across a crease, else 0
 };
 
-// Returns the square of the way from a place with unit normal n to another place with normal m, at offset o. The way
-// leads over the crease between them, through both tangent planes.
+// Returns the squared length of the way from a place with the unit normal n to another with the normal m, at the offset
+// o. The way goes across the crease between them, through both tangent planes.
 [[nodiscard]] double squared_path(const glm::dvec3& o, const glm::dvec3& n, const glm::dvec3& m) noexcept {
     const double detour = -2.0 * glm::dot(o, n) * glm::dot(o, m) / std::max(1.0 + glm::dot(n, m), 0.1);
     return glm::dot(o, o) + std::max(detour, 0.0);
@@ -386,7 +390,7 @@ void add_nearby(const OrderMark& mark, NearbyMarks& around) noexcept {
     around.offset[around.count++] = precise;
 }
 
-// Returns whether a place keeps the radius from all marks, and is on the candidate's side of all creases.
+// Returns whether a place is at least the radius away from all marks, and on the candidate's side of all creases.
 [[nodiscard]] bool is_free(const NearbyMarks& around, const glm::dvec2& way, const glm::dvec3& moved,
                            double radius) noexcept {
     for (std::size_t i = 0; i < around.count; ++i) {
@@ -401,14 +405,14 @@ void add_nearby(const OrderMark& mark, NearbyMarks& around) noexcept {
     return true;
 }
 
-// Moves a candidate into the middle of its gap, where it keeps the radius; sets its cell to -1 if there is no room.
-// `unlinked`: marks that have no slot in a cell.
+// Moves a candidate into the middle of its gap, where it is at least the radius away from all marks. If the gap is too
+// small, sets its cell to -1. `unlinked` has the marks without a slot in a cell.
 void move_into_gap(const Stage& stage, const FreshMark* all, std::span<const std::int32_t> unlinked, double radius,
                    FreshMark& fresh) noexcept {
     const double farthest_move = stage.settings.farthest_move;
     const glm::dvec3 normal = glm::normalize(unpacked(fresh.mark.normal));
     const double far = radius + 2.0 * farthest_move;
-    NearbyMarks around; // the arrays are filled up to `count`
+    NearbyMarks around; // The arrays are filled only up to `count`.
     around.start = place_of(fresh.mark);
     around.normal = glm::vec3(normal);
     around.farthest = static_cast<float>(far * far);
@@ -419,7 +423,7 @@ void move_into_gap(const Stage& stage, const FreshMark* all, std::span<const std
         stage.for_marks(there, [&](const OrderMark& mark) { add_nearby(mark, around); });
     });
     fresh.cell = -1;
-    if (around.bent) return; // the tangent plane does not follow the surface
+    if (around.bent) return; // The surface bends too much for the tangent plane.
     const glm::dvec2 way =
         toward_void({around.tangent_offset.data(), around.count}, stipple_tuning.gap_aim * radius, farthest_move);
     const glm::dvec3 moved = way.x * around.frame.u + way.y * around.frame.r;
@@ -452,7 +456,7 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
         if (there >= 0) base::prefetch(stage.group + stage.cell[there].group, stage.cell[there].groups);
 }
 
-// Returns the cell's best candidate itself if it keeps the distance, or else a place in its gap that does.
+// Returns the cell's best candidate if it keeps the radius, or else a place in its gap that does.
 [[nodiscard]] FreshMark place_best(Stage& stage, std::int32_t cell, const FreshMark* all,
                                    std::span<const std::int32_t> unlinked, double radius) noexcept {
     const std::int64_t i = stage.cell[cell].best;
@@ -470,7 +474,7 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
     return fresh;
 }
 
-// Fills a tile, one step after the other; returns the number of fresh marks.
+// Fills a tile, step by step. Returns the number of fresh marks.
 [[nodiscard]] std::int32_t fill_tile(Stage& stage, const Tile& tile, std::span<const SweepStep> steps,
                                      FreshMark* fresh) {
     HRBFNPR_ASSERT(tile.begin >= 0 && tile.begin < tile.end && tile.end <= stage.cell.size());
@@ -511,7 +515,7 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
     return count;
 }
 
-// Keeps only the `room` marks of the last sweep that have the lowest energies.
+// Keeps only the `room` marks of the last sweep with the lowest energies.
 void keep_lowest(const base::Array<float>& energy, std::int64_t room, PlacementOrder& order) {
     HRBFNPR_ASSERT(room >= 0 && room < energy.size() && energy.size() <= order.mark.size());
     const std::int64_t first = order.mark.size() - energy.size();
@@ -530,13 +534,13 @@ void keep_lowest(const base::Array<float>& energy, std::int64_t room, PlacementO
     order.step.resize(kept);
 }
 
-// Places marks that keep the radius from all others, at energies below the threshold, lowest first in each tile and at
-// most `most_fresh` in each. Appends them tile by tile. If there are more than `room`, the lowest remain and the stage
-// is over.
+// Places marks that keep the radius from all others and have an energy below the threshold: in each tile the lowest
+// first, and at most `most_fresh`. Appends the marks tile by tile. If there are more than `room`, only those with the
+// lowest energies are kept, and the stage ends.
 void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, PlacementOrder& order) {
     HRBFNPR_ASSERT(!steps.empty() && room > 0 && order.mark.size() == order.step.size());
     order.sweep.push_back(order.mark.size());
-    base::Array<float> energy(stage.site.memory()); // the energy that each mark of the sweep had when it was placed
+    base::Array<float> energy(stage.site.memory()); // for each mark of the sweep: its energy when it was placed
     const double nearest = stage.settings.move_clearance * steps.back().radius;
     stage.least_clearance = static_cast<float>(nearest * nearest);
     for (std::size_t turn = 0; turn < 8; ++turn) {
@@ -567,8 +571,8 @@ void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, Pl
 
 // ---- Stage by stage
 
-// Places marks until there are `last` of them; returns false if they would have to be closer than `closest`, in
-// distances of the densest packing.
+// Places marks until there are `last`. Returns false if marks would have to be closer than `closest`, in distances of
+// the densest packing.
 bool place_until(Stage& stage, double area, std::int64_t last, std::int64_t wanted, double closest,
                  PlacementOrder& order, const base::Progress& progress) {
     double distance = stipple_tuning.kept_distance;
@@ -599,8 +603,8 @@ bool place_until(Stage& stage, double area, std::int64_t last, std::int64_t want
             if (many) threshold *= static_cast<float>(std::pow(expected / after, stipple_tuning.threshold_power));
             continue;
         }
-        // Afterwards, each cell's lowest energy is that of its candidates that keep the distance of the last step, or
-        // infinite.
+        // After this, the lowest energy of each cell is that of its candidates that keep the radius of the last step;
+        // it is infinite if there are none.
         stage.for_cells(
             [&](std::int64_t c) { stage.update_lowest(static_cast<std::int32_t>(c), stage.least_clearance); });
         const float lowest = *std::min_element(stage.lowest.begin(), stage.lowest.end());
@@ -614,7 +618,7 @@ bool place_until(Stage& stage, double area, std::int64_t last, std::int64_t want
     return true;
 }
 
-// Fills up to `last` marks in cells of level `level`; returns false if no place is left for them.
+// Places marks in cells of the level `level`, until there are `last`. Returns false if no place is left.
 bool run_stage(const marks::Site& site, Candidates& candidates, const LastStageCells& last_stage, std::int32_t level,
                std::int64_t last, std::int64_t wanted, PlacementOrder& order) {
     HRBFNPR_ASSERT(level >= last_stage.level);
@@ -627,8 +631,8 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const LastStageC
     settings.reach = std::min(side, stipple_tuning.energy_reach * end);
     settings.ticket_limit = static_cast<std::uint64_t>(taken / all * 4294967296.0);
     settings.move_clearance = std::max(stipple_tuning.move_clearance, 1.0 - static_cast<double>(last) / taken);
-    // Candidates move into an adjacent cell at most, and no farther than they are true to the surface. They are many
-    // where marks are few.
+    // A candidate moves at most into an adjacent cell, and at most as far as its tangent plane follows the surface.
+    // While there are few marks, gaps contain many candidates.
     settings.farthest_move = std::min(0.5 * (1.0 - stipple_tuning.kept_distance) * side,
                                       stipple_tuning.farthest_move * candidates.grid.side);
     for (const double least : {stipple_tuning.least_distance, 0.0}) {
@@ -636,18 +640,18 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const LastStageC
         find_tiles(take_candidates(candidates, stage), stage);
         link_all(order.mark, stage);
         add_energy_of_marks(stage);
-        // Points closer than 1e-7 diagonals are equal as float positions.
+        // As float positions, points closer than 1e-7 diagonals are equal.
         const double closest = std::max(least, 1e-7 * candidates.region.diagonal() / end);
         if (place_until(stage, candidates.area, last, wanted, closest, order, site.work)) return true;
     }
     return false;
 }
 
-// Marks of a step are stored tile by tile. Shuffling each step spreads any part of them like the whole. The marks of a
-// sweep are consecutive.
+// Returns the marks of each step in random order. They are stored tile by tile, but any part of a step should be spread
+// like the whole step. The marks of a sweep stay consecutive.
 [[nodiscard]] OrderedMarks shuffled(const marks::Site& site, const PlacementOrder& order) {
     struct KeyedMark {
-        std::uint64_t bits; // the top eight bits are the step
+        std::uint64_t bits; // The top eight bits are the step. The others are random.
         std::int64_t mark;
         [[nodiscard]] bool operator<(const KeyedMark& other) const noexcept { return bits < other.bits; }
     };
@@ -684,7 +688,7 @@ glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double
     for (int vertex = 0; vertex < most_vertices; ++vertex) {
         const glm::dvec2 a = around[edge[0]];
         const glm::dvec2 direction = ascent_direction(at, a, edge[1] == none ? nullptr : &around[edge[1]]);
-        // The distance to where the nearest point is `wanted` away: |at + t d - a| = wanted.
+        // The distance at which the nearest point is `wanted` away: |at + t d - a| = wanted.
         const double along = glm::dot(at - a, direction);
         const double own = squared(at - a);
         const double missing = wanted * wanted - own;
@@ -743,7 +747,7 @@ OrderedMarks progressive_order(const marks::Site& site, Candidates& candidates, 
     std::int32_t level = last_stage.level;
     while (level < CellGrid::bits && side(level) < reach(1.0)) ++level;
     for (bool has_room = true; has_room && level > last_stage.level; --level) {
-        // With this number of marks, the energies of a stage reach as far as the side of its cells.
+        // Up to this number of marks, the energies of a stage reach at least one cell side.
         const double within = std::floor(std::pow(reach(1.0) / side(level), 2.0));
         const std::int64_t last = std::min(static_cast<std::int64_t>(within), wanted);
         if (last > order.mark.size()) has_room = run_stage(site, candidates, last_stage, level, last, wanted, order);

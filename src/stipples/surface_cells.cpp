@@ -16,13 +16,16 @@ using Cell = geometry::CellGrid::Cell;
 
 constexpr double no_plane = std::numeric_limits<double>::quiet_NaN();
 
-// A cell that the flood has reached.
+// A cell that the flood has reached, but not judged.
 struct FloodCell {
-    std::uint64_t cell; // packed
-    double expected;    // distance by the plane of the cell that the flood came from; NaN for the cell of a seed
+    std::uint64_t cell; // the packed coordinates
+    // The distance of its centre from the surface, by the plane of the cell from which the flood came. NaN for the cell
+    // of a seed.
+    double expected;
 };
 
-// A visited cell: whether it is a surface cell, and a bit for each of the 27 cells around it that the flood enters.
+// The judgement of a cell: whether it is one of the surface cells, and a bit for each of the 27 cells around it that
+// the flood enters.
 struct VisitedCell {
     SurfaceCell cell;
     bool is_surface_cell;
@@ -42,8 +45,9 @@ struct VisitedCell {
     return cell.distance + cells.grid.side * glm::dot(cell.normal, way);
 }
 
-// The flood skips cells that the plane of this cell puts too far off; a neighbour's plane may still reach them. If
-// planes have been wrong, as at a sharp rim or if the function is not a distance, the flood goes everywhere.
+// Returns the cells that the flood enters from a cell. It skips cells that are too far off by this cell's plane; it may
+// still reach them by another cell's plane. If planes have been wrong, it skips no cells. Planes are wrong at a sharp
+// rim, or if f is not like a distance.
 [[nodiscard]] std::uint32_t flooded_neighbours_of(const SurfaceCells& cells, const Cell& place, const SurfaceCell& cell,
                                                   bool anywhere) noexcept {
     const double side = cells.grid.side;
@@ -61,10 +65,10 @@ struct VisitedCell {
     return found;
 }
 
-// A cell belongs if its centre is near enough to the surface, to first order, for some of its points to be in the band;
-// a seed's cell always belongs. The flood continues only from cells that the surface may pass through, so that it does
-// not jump to a sheet a few cells away: the surface point nearest to a point of the band is at most one cell further
-// (along each axis, 1/2 + 1/2 sqrt 3 + 1/2 < 2). It also stops at the end of a trimmed surface.
+// Judges a cell. It is a surface cell if some of its points are in the band, by its first-order distance, or if it has
+// a seed. The flood continues only from cells through which the surface may pass, so that it does not jump to another
+// sheet a few cells away. This reaches all of the band: the surface point nearest to a point of the band is at most one
+// cell away (along each axis, 1/2 + 1/2 sqrt 3 + 1/2 < 2). The flood also stops at the end of a trimmed surface.
 [[nodiscard]] VisitedCell visit_cell(const marks::Site& site, const SurfaceCells& cells, const FloodCell& from,
                                      bool seeded, double distance, const glm::dvec3& gradient) {
     const Cell place = geometry::CellGrid::unpack(from.cell);
@@ -145,7 +149,7 @@ CellMap::CellMap(base::Memory& memory, const base::Array<std::uint64_t>& codes) 
     for (std::int64_t i = 0; i < codes.size(); ++i) {
         if (begins_block(i)) {
             const std::uint64_t block = codes[i] / geometry::cells_of_block;
-            HRBFNPR_ASSERT(find_block(block) == nullptr); // the codes of a block are consecutive
+            HRBFNPR_ASSERT(find_block(block) == nullptr); // The codes of a block must be consecutive.
             slots_[slot_of(block)] = {block + 1, number_.size()};
             number_.push_back({});
             number_.back().fill(-1);
@@ -162,7 +166,7 @@ CellMap::CellMap(const SurfaceCells& cells) : CellMap(cells.cell.memory()) {
     *this = CellMap(codes.memory(), codes);
 }
 
-// Returns the slot of the block, or the free slot where it would go.
+// Returns the slot of a block, or the free slot into which it would be put.
 std::int64_t CellMap::slot_of(std::uint64_t block) const noexcept {
     HRBFNPR_ASSERT(!slots_.empty());
     const auto mask = static_cast<std::uint64_t>(slots_.size() - 1);

@@ -59,7 +59,7 @@ public:
     static constexpr std::size_t step_along[3] = {1, 3, 9};
 
     explicit CellMap(base::Memory& memory) noexcept : slots_(memory), number_(memory) {}
-    // The number of codes[i] is i. Codes are distinct and below 2^63, and codes of one block are consecutive.
+    // Cell i has the code codes[i]. Codes must be distinct and below 2^63, and codes of one block must be consecutive.
     CellMap(base::Memory& memory, const base::Array<std::uint64_t>& codes);
     explicit CellMap(const SurfaceCells& cells);
 
@@ -84,12 +84,13 @@ private:
         return place.key == 0 ? nullptr : number_[place.numbers].data();
     }
     struct Slot {
-        std::uint64_t key; // block + 1; 0 for a free place
+        std::uint64_t key; // block + 1, or 0 if the place is free
         std::int64_t numbers;
     };
     [[nodiscard]] std::int64_t slot_of(std::uint64_t block) const noexcept;
 
-    base::Array<Slot> slots_; // open addressing; the size is a power of two, at most half full
+    // A hash table with open addressing. Its size is a power of two, and at most half of it is used.
+    base::Array<Slot> slots_;
     base::Array<std::array<std::int32_t, geometry::cells_of_block>> number_;
 };
 

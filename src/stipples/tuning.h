@@ -21,15 +21,15 @@ struct StippleTuning {
     // The smallest side of a cell is the diagonal divided by this. Larger: smaller surfaces can be drawn in large
     // boxes, with more memory.
     double most_in_diagonal = 4096.0;
-    // The cells are found again, at most `cover_rounds` times, until the marks ask for cells wider than
+    // The cells are found again, at most `cover_rounds` times, until the side that the marks need is above
     // `fine_side_share` times the present side. Larger: the areas of small surfaces in large boxes are more accurate,
-    // at more time.
+    // in more time.
     int cover_rounds = 8;
     double fine_side_share = 0.9;
-    // If a round finds a surface fewer than `fewest_across` cells wide, the next round multiplies the cell side by
-    // this. Larger: more rounds.
+    // If the surface is fewer than `fewest_across` cells wide, the next round multiplies the cell side by this. Larger:
+    // more rounds.
     double missed_surface_step = 0.25;
-    // The side of a cell, in spacings of the marks. Larger: fewer cells, each with more candidates to look at.
+    // The side of a cell, in spacings of the marks. Larger: fewer cells, with more candidates in each.
     double cell_spacings = 2.2;
     // A surface fewer than this many cells wide is refused. Larger: small surfaces in large boxes are refused.
     std::int64_t fewest_across = 8;
@@ -49,11 +49,12 @@ struct StippleTuning {
     // The density of layer candidates divided by that of plane candidates. Layer candidates are random, so they leave
     // gaps. Larger: more even where the surface bends.
     double layer_density = 1.4;
-    // Candidates are drawn in at most this many rounds, until their number is `candidates_share` times the wanted one.
-    // Larger: the number is closer to the wanted one where the function is not a distance.
+    // The largest number of rounds that generate candidates. Rounds end earlier if there are `enough` times the wanted
+    // number. Larger: the number is closer to the wanted one if f is not like a distance.
     int candidate_rounds = 4;
     double candidates_share = 0.85;
-    // The most trials per wanted candidate. Larger: more time is spent where planes and surface disagree.
+    // The largest number of trials for each wanted candidate. Larger: more time is spent where planes and surface
+    // disagree.
     double most_trials = 256.0;
     // The cosine between the normal of a flat cell and the normals of the cells beside it is at least this. Larger:
     // fewer candidates come from planes, which need no evaluation.
@@ -61,22 +62,22 @@ struct StippleTuning {
     // If the plane is at least this far from a cell, in sides, the surface does not pass through the cell. Larger: more
     // evaluations.
     double miss_distance = 0.25;
-    // The most candidates per evaluated point: its projection, and others around that. Larger: fewer evaluations, less
-    // random.
+    // The largest number of candidates from one evaluated point: its projection, and others around the projection.
+    // Larger: fewer evaluations, less random.
     std::int64_t most_projections = 5;
-    // These candidates are at most this far from the projection along two axes, in sides. Larger: they are farther off
-    // the surface.
+    // The other candidates are at most this far from the projection along two axes, in sides. Larger: they are farther
+    // off the surface.
     double projection_stride = 0.55;
-    // A projection is on the surface if its distance is below this, in sides; it gets at most `most_steps` steps.
+    // A projection is on the surface if its distance is below this, in sides. At most `most_steps` steps are made.
     // Smaller: more steps.
     double surface_tolerance = 0.02;
     int most_steps = 6;
     // One in `every_projection` projections is evaluated again. If more than the share `most_off_surface` of these is
-    // off the surface, all projections get further steps. Larger share: candidates stay off the surface where the
-    // function is not a distance.
+    // off the surface, all projections make further steps. Larger share: candidates stay off the surface if f is not
+    // like a distance.
     std::int64_t every_projection = 67;
     double most_off_surface = 0.02;
-    // A trial is assumed to give at least this many projections, which limits the number of trials. Smaller: more
+    // The least number of projections that a trial is assumed to give. It limits the number of trials. Smaller: more
     // trials in vain.
     double least_projections_per_trial = 1.0 / 256.0;
 
@@ -85,16 +86,17 @@ struct StippleTuning {
     // The least distance between marks, in distances of the densest packing of the same number of marks. Larger: more
     // even, and more candidates fail.
     double kept_distance = 0.70;
-    // If no place is left, the distance is multiplied by this, down to `least_distance`. It goes lower only after all
-    // candidates were looked at again. Larger: closer to the largest possible distance, in more sweeps.
+    // If no place is left, the least distance is multiplied by this, but it stays above `least_distance`. Before each
+    // further reduction, all candidates are examined again. Larger: closer to the largest possible distance, in more
+    // sweeps.
     double distance_factor = 0.98;
     double least_distance = 0.65;
     // The distance up to which a mark has energy, in distances of the densest packing at the end of its stage. Larger:
     // low frequencies are weaker, and each mark changes more candidates.
     double energy_reach = 1.8;
-    // The cells of the last stage are at least this share of that reach wide. Larger: wider cells.
+    // The least side of the cells of the last stage, as a share of the reach of a mark's energy. Larger: wider cells.
     double least_side_share = 0.85;
-    // Each step of a sweep aims at a number of marks that is larger by this factor. Larger: fewer sweeps, less even.
+    // From step to step in a sweep, the intended number of marks grows by this factor. Larger: fewer sweeps, less even.
     double step_growth = 1.015;
     // In sweeps of many steps, the energy threshold grows by `threshold_growth` from step to step. It grows about with
     // the power `threshold_power` of the number of marks; in a stage, it was measured to grow from 0.06 to 2. Larger:
@@ -104,8 +106,8 @@ struct StippleTuning {
     // All places with less energy than this count as equally empty. Larger: the first marks of a stage are less even.
     float least_threshold = 0.05F;
     // If a sweep adds less than the share `poor_sweep` of the expected marks, the threshold rises to the lowest energy
-    // times `threshold_rise`, or times `last_threshold_rise` once the stage is filled to `nearly_full`. Larger: fewer
-    // sweeps, less even.
+    // times `rise`. If the stage has more than the share `nearly_full` of its marks, it rises to the lowest energy
+    // times `last_threshold_rise`. Larger: fewer sweeps, less even.
     double poor_sweep = 0.25;
     float threshold_rise = 1.06F;
     float last_threshold_rise = 1.02F;
@@ -118,23 +120,23 @@ struct StippleTuning {
     // A candidate may move into its gap if its distance from marks is at least this share of the least distance.
     // Smaller: more gaps are tried in vain.
     double move_clearance = 0.8;
-    // It aims at a place that is this factor farther from marks than the kept distance. Larger: fewer moves fail by
+    // A candidate that moves into its gap aims at the least distance times this factor. Larger: fewer moves fail by
     // rounding.
     double gap_aim = 1.02;
-    // It moves at most this share of a side of the candidates' cells; farther away, candidates are not true to the
-    // surface.
+    // A candidate moves by at most this share of a side of its cell, because places farther away may be off the
+    // surface. Larger: more gaps are filled.
     double farthest_move = 0.25;
-    // After a failed move, the candidate's squared distance is set to this share of the needed one. Larger: more
-    // trials.
+    // After a failed move, the squared distance of the candidate is set to this share of the necessary one. Larger:
+    // more trials.
     float retry_clearance = 0.97F;
-    // A candidate does not move if its normal and a mark's have a cosine below this: the surface bends. Larger: fewer
-    // gaps are filled.
+    // A candidate does not move if the cosine between its normal and the normal of a mark nearby is below this, because
+    // the surface bends. Larger: fewer gaps are filled.
     float bent_cosine = 0.7F;
 
     // ---- Projection and repair (blue_noise.cpp)
 
-    // A chosen candidate has wandered if its projection is farther away than this share of the densest packing's
-    // distance, or if their normals have a cosine below `wandered_cosine`. Smaller: more marks are looked at again.
+    // A chosen candidate has wandered if its projection is farther away than this, in distances of the densest packing,
+    // or if the cosine between their normals is below `wandered_cosine`. Smaller: more marks are examined again.
     double wandered_distance = 0.04;
     double wandered_cosine = 0.95;
     // A mark is too close to a wandered mark if their distance is below this, in distances of the densest packing.

@@ -101,13 +101,13 @@ constexpr std::int64_t pairs_a_task = 16;
 
 double cross2(const glm::dvec2& a, const glm::dvec2& b) noexcept { return a.x * b.y - a.y * b.x; }
 
-// A place on a curve in the image, and its velocity as the curve goes on.
+// A place on a curve as seen in the image, and its velocity along the curve.
 struct MovingPlace {
     glm::dvec3 point;
     glm::dvec2 place, velocity; // in pixels
 };
 
-// A place on a line.
+// A place on a line, given by a piece and a share of the piece.
 struct LinePlace {
     std::int32_t piece;
     double share;
@@ -189,8 +189,8 @@ struct CrossingInput {
     }
 };
 
-// Whether the ends of each segment lie on different sides of the other one. An end on the line counts as left of it, so
-// that a line through a vertex crosses exactly one of the two segments that meet there.
+// Returns whether the ends of each segment are on different sides of the other segment. An end on the line counts as
+// left of it. So a line through a vertex crosses exactly one of the two segments that meet there.
 bool segments_cross(const CrossingInput& in, std::int64_t a, std::int64_t b) noexcept {
     const auto left = [](const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& at) {
         return cross2(to - from, at - from) >= 0.0;
@@ -199,7 +199,7 @@ bool segments_cross(const CrossingInput& in, std::int64_t a, std::int64_t b) noe
     return left(p, q, r) != left(p, q, s) && left(r, s, p) != left(r, s, q);
 }
 
-// The crossing of two segments, as a share of each.
+// Returns the crossing of two segments, as a share of each segment.
 glm::dvec2 crossing_of(const CrossingInput& in, std::int64_t a, std::int64_t b) noexcept {
     const glm::dvec2 d = in.place(a + 1) - in.place(a);
     const glm::dvec2 e = in.place(b + 1) - in.place(b);
@@ -209,8 +209,8 @@ glm::dvec2 crossing_of(const CrossingInput& in, std::int64_t a, std::int64_t b) 
     return {cross2(way, e) / area, cross2(way, d) / area};
 }
 
-// Whether two segments may cross. At least one must begin or end sheets, and they must not belong to the same piece or
-// follow each other on a line.
+// Returns whether a crossing of two segments counts. One of them must begin or end sheets, and they must not belong to
+// the same piece or to consecutive pieces of a line.
 bool may_cross(const CrossingInput& in, std::int64_t a, std::int64_t b) noexcept {
     const std::int32_t p = in.lines.points[a].piece;
     const std::int32_t q = in.lines.points[b].piece;
@@ -219,8 +219,8 @@ bool may_cross(const CrossingInput& in, std::int64_t a, std::int64_t b) noexcept
     return !(touch && in.lines.pieces[p].line == in.lines.pieces[q].line);
 }
 
-// Adds the pairs of a cell's segments that cross in this cell. A pair may share several cells, and is added only in the
-// cell of its crossing. Returns false, and adds nothing, if the cell is a tangle.
+// Adds the pairs of a cell's segments that cross in this cell. If a pair shares several cells, it is added only in the
+// cell that contains the crossing. If the cell is a tangle, returns false and adds nothing.
 bool find_pairs_in_cell(const CrossingInput& in, const Grid& grid, std::int64_t cell, base::Array<SegmentPair>& pairs) {
     HRBFNPR_ASSERT(cell >= 0 && cell + 1 < grid.begin.size());
     const std::int64_t segments = grid.begin[cell + 1] - grid.begin[cell];
@@ -243,7 +243,7 @@ bool find_pairs_in_cell(const CrossingInput& in, const Grid& grid, std::int64_t 
     return true;
 }
 
-// Returns the pairs of segments that cross, in the order of the cells for any number of threads.
+// Returns the pairs of segments that cross. Their order is that of the cells, whatever the number of threads.
 base::Array<SegmentPair> find_pairs(const base::Work& work, const CrossingInput& in, CrossingReport& report) {
     const Grid grid = make_grid(work.memory, in.lines);
     const std::int64_t cells = grid.begin.size() - 1;
@@ -282,15 +282,15 @@ MovingPlace moving_place_at(const CrossingInput& in, const LinePlace& at) noexce
     return moving_place(in.subject(at.piece).view, its.at(at.share), its.derivative(at.share));
 }
 
-// Returns how far each of two places has to go, straight on, until they meet. The results are not finite if the
-// directions are parallel.
+// Returns how far each of two places must move along its direction until they meet. If the directions are parallel, the
+// results are not finite.
 std::pair<double, double> steps_to_meeting(const MovingPlace& p, const MovingPlace& q) noexcept {
     const double area = cross2(p.velocity, q.velocity);
     const glm::dvec2 way = q.place - p.place;
     return {cross2(way, q.velocity) / area, cross2(way, p.velocity) / area};
 }
 
-// Moves a place along its line and into the next piece, but no farther than the line's end.
+// Moves a place along its line, into the next piece if necessary, but not beyond the end of the line.
 void move_along(const CrossingInput& in, LinePlace& at, double by) noexcept {
     at.share += by;
     if (at.share >= -visibility_tuning.end_slack && at.share <= 1.0 + visibility_tuning.end_slack) return;
@@ -302,7 +302,7 @@ void move_along(const CrossingInput& in, LinePlace& at, double by) noexcept {
     at = {static_cast<std::int32_t>(line.first_piece + next), back != ends ? 1.0 : 0.0};
 }
 
-// Runs Newton's method on the cubics themselves: both places move until they meet in the image.
+// Moves two places along their cubics by Newton's method until they meet in the image. Returns false if they do not.
 bool refine(const CrossingInput& in, LinePlace& a, LinePlace& b) noexcept {
     HRBFNPR_ASSERT(a.share >= 0.0 && a.share <= 1.0 && b.share >= 0.0 && b.share <= 1.0);
     for (int step = 0;; ++step) {
@@ -315,7 +315,7 @@ bool refine(const CrossingInput& in, LinePlace& a, LinePlace& b) noexcept {
     }
 }
 
-// The least distance in space at which two curves count as distinct at a crossing, in sides.
+// Returns the distance in space, in sides, below which two curves at a crossing count as the same curve.
 double least_gap_of(const CrossingInput& in, const LinePlace& a, const LinePlace& b) noexcept {
     if (in.lines.pieces[a.piece].line == in.lines.pieces[b.piece].line) return visibility_tuning.least_loop;
     const Subject& sa = in.subject(a.piece);
@@ -324,8 +324,8 @@ double least_gap_of(const CrossingInput& in, const LinePlace& a, const LinePlace
                                                                               : visibility_tuning.least_gap;
 }
 
-// Fills `crossing`. `turn` > 0: the second image direction is clockwise from the first, as seen. Returns false if the
-// two curves are the same, as beside a cusp, so that they do not cross.
+// Sets all members of `crossing`. If `turn` > 0, the second direction in the image is clockwise from the first. Returns
+// false if the curves are the same, as happens beside a cusp, so that they do not cross.
 bool set_crossing(const CrossingInput& in, const LinePlace& a, const LinePlace& b, double turn,
                   Crossing& crossing) noexcept {
     const MovingPlace p = moving_place_at(in, a);
@@ -378,13 +378,13 @@ struct Suspect {
     std::int32_t subject[2];
     glm::dvec3 begin[2];
     curves::CurvePoint point[2];
-    double gap; // between the two places at the start
+    double gap; // the distance between the two places before the search
     bool is_done, is_confirmed;
 };
 
-// Whether a crossing is to be verified on the curves themselves. Near a cusp of a curve, cubics may have a single
-// crossing that the curve does not have; elsewhere false crossings come in pairs whose changes add up to 0. Contours
-// touch the image of the border where they end.
+// Returns whether a crossing must be verified on the curves themselves. Near a cusp, cubics may have a single crossing
+// that the curve does not have. Elsewhere false crossings come in pairs whose changes add up to 0. At their ends,
+// contours touch the image of the border, which is another doubtful case.
 bool is_suspect(const CrossingInput& in, const Crossing& c) noexcept {
     const Subject& far = in.subject(c.far_piece);
     const Subject& near = in.subject(c.near_piece);
@@ -393,7 +393,7 @@ bool is_suspect(const CrossingInput& in, const Crossing& c) noexcept {
     return far.item == near.item && (far.level != near.level || one_line);
 }
 
-// Moves the places of all suspects onto their curves by two of Newton's steps.
+// Moves the places of all suspects onto their curves by two Newton steps.
 void correct_suspects(const base::Work& work, std::span<const Subject> subjects, base::Array<Suspect>& suspects) {
     for (std::size_t s = 0; s < subjects.size(); ++s) {
         base::Array<curves::CurvePoint*> which(work.memory);
@@ -412,8 +412,8 @@ void correct_suspects(const base::Work& work, std::span<const Subject> subjects,
     }
 }
 
-// Moves both places of a suspect towards the point where they meet. The search fails if they go farther than a share of
-// the gap between the curves, or if the gap vanishes: at a cusp a curve meets itself.
+// Moves both places of a suspect towards the point where the curves meet. The search fails if they move farther than a
+// share of the gap between the curves, or if the gap vanishes, as at a cusp, where a curve meets itself.
 void advance_suspect(std::span<const Subject> subjects, Suspect& suspect) noexcept {
     const auto view = [&](int k) { return subjects[static_cast<std::size_t>(suspect.subject[k])].view; };
     curves::CurvePoint& a = suspect.point[0];
@@ -523,8 +523,8 @@ bool is_near_region(const PiercingPart& part, const geometry::Bounds& region) no
     return glm::all(glm::lessThanEqual(box.min, region.max)) && glm::all(glm::lessThanEqual(region.min, box.max));
 }
 
-// Adds the place where a short part passes through the surface. The sheet lies before the line if the way back to the
-// eye leads through it.
+// Adds the place where a short part passes through the surface. If the way back to the eye leads through the sheet, the
+// sheet is before the line.
 void add_piercing(const PiercingScene& in, const PiercingPart& part, base::Array<Piercing>& found) {
     const double rise = part.high.value - part.low.value;
     const double share = part.low.share - (part.high.share - part.low.share) * part.low.value / rise;
@@ -537,7 +537,7 @@ void add_piercing(const PiercingScene& in, const PiercingPart& part, base::Array
     found.push_back({part.piece, share, in.item, faces_away != (at.value < 0.0) ? -1 : 1});
 }
 
-// Adds the place of a short part that passes through the surface. Adds a longer part to `halved` if it may do so.
+// Adds the place where a short part passes through the surface. A longer part that may do so is added to `halved`.
 void add_or_halve(const PiercingScene& in, const PiercingPart& part, base::Array<PiercingPart>& halved,
                   base::Array<Piercing>& found) {
     const PiercingPlace& a = part.low;

@@ -29,15 +29,17 @@ struct Subject {
     // The function whose zero lines the curves are; null: the curves are just polylines.
     const curves::Level* level = nullptr;
     curves::View view;
-    double side = 0.0; // the side of the cells of the surface's mesh, the subject's unit of length
-    double clearance =
-        visibility_tuning.clearance; // in sides: surface nearer than this before a curve does not hide it
-    glm::dmat4 to_world{1.0};        // affine
-    std::int32_t item = 0;           // the number of the surface's item among the occluders
-    std::int32_t sheet_change = 2;   // the number of sheets that begin or end at these curves: 2 for a contour or for a
-                                     // crease that is a contour, 1 for a border, 0 for other lines
-    bool mirrored = false;           // the image shows the surface mirrored
-    bool joined = false;             // open curves end at other curves, as at the corners of a crease
+    double side = 0.0; // the side of the surface mesh's cells, which is the unit of length for the subject
+    // Surface that is nearer than this before a curve does not hide it, in sides.
+    double clearance = visibility_tuning.clearance;
+    glm::dmat4 to_world{1.0}; // an affine transform
+    std::int32_t item = 0;    // the index of the surface's item among the occluders
+    // The number of sheets that begin or end at these curves: 2 for a contour or for a crease that is a contour, 1 for
+    // a border, 0 for other lines.
+    std::int32_t sheet_change = 2; // the number of sheets that begin or end at these curves: 2 for a contour or for a
+                                   // crease that is a contour, 1 for a border, 0 for other lines
+    bool mirrored = false;         // true if the image shows the surface mirrored
+    bool joined = false;           // true if open curves end at other curves, for example at the corners of a crease
 };
 
 // The cubic between two points of a curve.
@@ -98,7 +100,7 @@ public:
     // Returns the length from the start of the line to a point of the image, in pixels.
     [[nodiscard]] double at_point(std::int64_t point) const noexcept { return length_[point]; }
     [[nodiscard]] double total(const Line& line) const noexcept { return length_[line.first_point + line.points - 1]; }
-    // The last piece of the line that begins at `at` or before it.
+    // Returns the last piece of the line that begins at or before the length `at`.
     [[nodiscard]] std::int64_t piece_at(const Line& line, double at) const noexcept;
 
 private:
@@ -124,8 +126,8 @@ struct CrossingReport {
     std::int64_t tangles = 0;      // the number of cells whose crossings are ignored, because there are too many
 };
 
-// Finds the crossings of all lines with the lines that begin or end sheets (Subject::sheet_change > 0). Sorted by
-// farther piece and share.
+// Finds the crossings of all lines with those lines that begin or end sheets (Subject::sheets > 0). The result is
+// sorted by the farther piece and the position on it.
 [[nodiscard]] base::Array<Crossing> find_crossings(const base::Work& work, std::span<const Subject> subjects,
                                                    const ImageLines& lines, CrossingReport& report);
 
@@ -135,15 +137,15 @@ std::int64_t verify_crossings(const base::Work& work, std::span<const Subject> s
                               base::Array<Crossing>& crossings);
 
 struct Piercing {
-    std::int32_t piece;  // the line's piece
-    double share;        // along the piece, in [0, 1]
-    std::int32_t item;   // the number of the surface's item among the occluders
-    std::int32_t change; // how the number of sheets before the line changes as one goes along it: 1 or -1
+    std::int32_t piece;  // the piece of the line
+    double share;        // the position on the piece, in [0, 1]
+    std::int32_t item;   // the index of the surface's item among the occluders
+    std::int32_t change; // the change of the number of sheets before the line, in the direction of the line: 1 or -1
 };
 
-// Finds where lines pass through the surfaces of other items. Between two places where f and its slope along the line's
-// cubic are known, f is taken for a cubic; where that cubic may have a root, the part is halved. Sorted by piece and
-// share.
+// Finds where lines pass through the surfaces of other items. Between two places where f and its slope along the line
+// are known, f is approximated by a cubic. If this cubic may have a root, the part is halved. The result is sorted by
+// piece and share.
 [[nodiscard]] base::Array<Piercing> find_piercings(const base::Work& work, std::span<const Subject> subjects,
                                                    std::span<const Occluder> occluders, const ImageLines& lines);
 

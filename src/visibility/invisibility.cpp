@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Counts sheets along lines. Each round draws the lines and finds their crossings. Events are the places where a line's
-// number changes (collect_events). The parts between events get numbers relative to the line's begin (parts_between). A
-// few rays (best_ray, send_rays) say how much has to be added to all parts of a line (set_invisibility). Lines whose
-// changes and rays contradict each other are made finer for the next round (refine_curves). In the last round, each
-// part of such a line gets the number of its own ray (number_by_own_rays). The outline is counted the same way, by rays
-// that come from beyond the surface.
+// Counts the sheets before lines. Each round draws the lines and finds their crossings. Events are the places where the
+// number of a line changes (collect_events). The parts between events get numbers relative to the start of the line
+// (parts_between). A few rays (best_ray, send_rays) give the absolute number, which is added to all parts of a line
+// (set_invisibility). Lines whose changes and rays contradict each other are made finer for the next round
+// (refine_curves). In the last round, each part of such a line gets the number that a ray to it finds (settle). The
+// outline is found in the same way, with rays that come from beyond the surface.
 #include "visibility/invisibility.h"
 
 #include "base/assert.h"
@@ -35,13 +35,13 @@ struct CountingInput {
 // A ray to a place on a line. It comes from the eye, or from beyond the surface.
 struct Ray {
     std::int32_t line, subject;
-    double at;        // along the line, pixels
-    double score;     // pixels to the nearer end of the part
-    glm::dvec3 place; // in the subject's coordinates
-    // The ray finds the following values.
+    double at;        // position along the line, in pixels
+    double score;     // distance to the nearer end of the part, in pixels
+    glm::dvec3 place; // in the coordinates of the subject
+    // The results of the ray.
     std::int32_t invisibility;
-    std::int32_t nearest; // the occluder nearest to the place on the ray; -1: none
-    double distance;      // the distance from the place to the nearest occluder, in the world
+    std::int32_t nearest; // the occluder on the ray that is nearest to the place, or -1
+    double distance;      // the distance from the place to that occluder, in world units
     bool certain;
 };
 
@@ -64,8 +64,8 @@ void for_lines(std::span<Interval> parts, const F& f) {
     }
 }
 
-// Makes the ray to the vertex of a part that is farthest from the part's ends. A part without vertices gets a ray to
-// the middle of its cubic.
+// Returns the ray to that vertex of a part that is farthest from the ends of the part. If the part has no vertices,
+// returns the ray to the middle of its cubic.
 Ray best_ray(const CountingInput& in, const Interval& part) noexcept {
     const Line& its = in.line(part.line);
     const base::Array<curves::CurvePoint>& point = in.subjects[static_cast<std::size_t>(its.subject)].curves->point;
@@ -101,7 +101,7 @@ Ray best_ray(const CountingInput& in, const Interval& part) noexcept {
     return best;
 }
 
-// Adds the `most` rays with the best scores among those of the line's parts.
+// Adds at most `most` rays to parts of a line, those with the best scores.
 void add_rays(const CountingInput& in, std::span<const Interval> parts, std::int64_t most, base::Array<Ray>& rays) {
     base::Array<Ray> all(in.memory());
     for (const Interval& part : parts) all.push_back(best_ray(in, part));
@@ -110,7 +110,7 @@ void add_rays(const CountingInput& in, std::span<const Interval> parts, std::int
     for (std::int64_t i = 0; i < std::min(most, all.size()); ++i) rays.push_back(all[i]);
 }
 
-// Sends rays through all occluders, from the eye or from beyond the whole surface to the places of the rays.
+// Casts rays through all occluders to places on lines, from the eye or from beyond the whole surface.
 void send_rays(const CountingInput& in, bool from_beyond, base::Array<Ray>& rays) {
     geometry::VecArray from(in.memory(), rays.size());
     geometry::VecArray to(in.memory(), rays.size());
@@ -149,8 +149,8 @@ void send_rays(const CountingInput& in, bool from_beyond, base::Array<Ray>& rays
     }
 }
 
-// Turns numbers relative to a line's start into absolute numbers. Certain rays decide, or all rays if no ray is
-// certain. Returns false if rays contradict each other or a number would be negative.
+// Turns numbers relative to the start of a line into absolute numbers. Certain rays decide or, if there are none, all
+// rays. Returns false if rays contradict each other, or if a number would be negative.
 bool set_invisibility(std::span<Interval> parts, std::span<const Ray> rays, double whole) noexcept {
     const auto relative = [&](double at) {
         for (const Interval& part : parts)
@@ -177,8 +177,8 @@ bool set_invisibility(std::span<Interval> parts, std::span<const Ray> rays, doub
     return known && agree;
 }
 
-// Gives each part of the given lines the number that its own ray says, if the ray is certain. A part too short for a
-// ray takes the number of the part before it. Returns how many lines have a ray that is not certain.
+// Sets the number of each part of the given lines to the result of a ray to this part, if the ray is certain. A part
+// too short for a ray gets the number of the part before it. Returns the number of lines with an uncertain ray.
 std::int64_t number_by_own_rays(const CountingInput& in, bool from_beyond, std::span<const std::int32_t> lines,
                                 std::span<Interval> parts, std::int64_t& sent) {
     HRBFNPR_ASSERT(std::is_sorted(lines.begin(), lines.end()));
@@ -209,8 +209,8 @@ std::int64_t number_by_own_rays(const CountingInput& in, bool from_beyond, std::
     return uncertain;
 }
 
-// Returns the parts of a line between its events. Their numbers are relative to the line's start or, for a closed line,
-// to its first event.
+// Returns the parts of a line between its events. Their numbers are relative to the start of the line or, for a closed
+// line, to its first event.
 base::Array<Interval> parts_between(const CountingInput& in, std::int64_t number, std::span<const Event> events) {
     const Line& line = in.line(number);
     base::Array<Interval> parts(in.memory());
@@ -237,7 +237,8 @@ base::Array<Interval> parts_between(const CountingInput& in, std::int64_t number
     return parts;
 }
 
-// Counts along all lines. Returns the lines that contradict themselves. Around a closed line changes must add up to 0.
+// Counts the sheets before all lines. Returns the lines with contradictory counts. Around a closed line, for example,
+// the changes must add up to 0.
 base::Array<std::int32_t> count_along_lines(const CountingInput& in, const Events& events, int rays_a_line,
                                             Invisibility& out) {
     const auto lines = static_cast<std::int32_t>(in.lines.lines.size());
@@ -265,10 +266,10 @@ base::Array<std::int32_t> count_along_lines(const CountingInput& in, const Event
     return bad;
 }
 
-// Makes lines that contradict themselves finer, and the lines that cross them, near the crossings. The new curves are
-// off by `tolerance` pixels at most.
+// Makes contradictory lines finer near their crossings, and also the lines that they cross there. The new curves are at
+// most `tolerance` pixels off.
 void refine_curves(const CountingInput& in, std::span<const std::int32_t> bad, double tolerance, Invisibility& out) {
-    base::Array<std::int64_t> first(in.memory()); // the first point of each subject
+    base::Array<std::int64_t> first(in.memory()); // for each subject: the index of its first point
     first.push_back(0);
     for (const Subject& subject : out.subjects) first.push_back(first.back() + subject.curves->point.size());
     base::Array<std::uint8_t> all_marked(in.memory(), first.back());
@@ -334,15 +335,15 @@ base::Array<CuspGroup> find_groups(base::Memory& memory, std::span<const Event> 
 
 // ---- The outline
 
-// A place where another line crosses, and how the number of sheets beside the line changes there.
+// A place where another line crosses, and the change of the number of sheets beside the line there.
 struct ChangeBeside {
     std::int32_t line;
     double at; // position along the line, in pixels
     std::int32_t change;
 };
 
-// Finds these changes at crossings. At a crossing, each of the two lines enters or leaves the image of the other's
-// surface.
+// Finds the places where the number of sheets beside a line changes. At a crossing, each of the two lines enters or
+// leaves the image of the other line's surface.
 base::Array<ChangeBeside> find_changes_beside(const CountingInput& in, const base::Array<Crossing>& crossings,
                                               std::span<const std::uint8_t> wanted) {
     base::Array<ChangeBeside> changes(in.memory());
@@ -367,8 +368,8 @@ base::Array<ChangeBeside> find_changes_beside(const CountingInput& in, const bas
     return changes;
 }
 
-// Adds the stretches of a visible part between the changes of its line, with numbers relative to the line's start. An
-// interval of a closed line may go round the line's end, so the changes of the line are applied a second time.
+// Divides a visible part at the changes of its line, and adds the pieces, with numbers relative to the start of the
+// line. An interval of a closed line may continue past the end of the line, so the changes are applied a second time.
 void add_parts_beside(const CountingInput& in, const Interval& part, std::span<const ChangeBeside> changes,
                       base::Array<Interval>& stretches) {
     const Line& its = in.line(part.line);
@@ -500,7 +501,7 @@ Invisibility find_invisibility(const base::Work& work, std::span<const Subject> 
         out.report.cusps = events.cusps;
         if (r == 0) out.report.refined = bad.size();
         if (bad.empty()) break;
-        // Finer curves do not disentangle lines that run over one another, nor do they mend a torn surface.
+        // Finer curves do not help where lines run over one another, or where a surface is torn.
         if (r + 1 == settings.rounds || out.report.crossings.tangles > 0 ||
             bad.size() > visibility_tuning.most_refined_lines) {
             out.report.contradictions =

@@ -40,7 +40,8 @@ struct Events {
     std::int64_t cusps = 0;
 };
 
-// Crossings and piercings must be sorted in the order in which find_crossings() and find_piercings() return them.
+// Collects the events of all lines. Crossings and piercings must have the order of the results of find_crossings() and
+// find_pierced().
 [[nodiscard]] Events collect_events(base::Memory& memory, std::span<const Subject> subjects, const ImageLines& lines,
                                     const base::Array<Crossing>& crossings, std::span<const Piercing> pierced,
                                     const LineLengths& lengths);
@@ -57,9 +58,10 @@ struct Interval {
     std::int32_t line;
     std::int32_t begin_piece, end_piece;
     double begin_share, end_share;
+    // Positions along the line, in pixels. On a closed line, an interval may end beyond the end of the line.
     double begin_at, end_at;   // along the line, pixels; an interval that goes round a closed line may end beyond the
                                // line's end
-    std::int32_t invisibility; // the number of sheets before it
+    std::int32_t invisibility; // the number of sheets before the interval
     bool begins_at_cusp, ends_at_cusp;
     // The sine of the angle to the nearer line that crosses at this end of the interval; 0 if no line crosses.
     float begin_sine, end_sine;

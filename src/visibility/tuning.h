@@ -10,18 +10,18 @@ namespace hrbfnpr::visibility {
 struct VisibilityTuning {
     // ---- Surfaces and their own lines, in sides of the mesh
 
-    // A surface does not hide its own contours where it is nearer than this before them. Larger: surfaces just before a
-    // line do not hide it.
+    // A surface does not hide its contours if it is nearer than this before them, in mesh sides. Larger: surfaces just
+    // before a line do not hide it.
     double clearance = 0.02;
-    // `clearance` for creases. They are as exact as the sheets, and the sheet that hides a crease is near it beside its
-    // ends.
+    // A surface does not hide a crease if it is nearer than this before it, in mesh sides. Creases are as exact as the
+    // sheets, and near its ends a crease is close to the sheet that hides it.
     double crease_clearance = 1e-3;
 
     // ---- Polylines in the image
 
     // A cubic is halved at most this many times. Larger: finer polylines beside the eye.
     int most_halvings = 8;
-    // Places seen farther than this from the image's corner are left out, in pixels. They are too near to the plane
+    // Places farther from the image's corner than this, in pixels, are left out, because they are too near to the plane
     // through the eye. Larger: coordinates lose digits.
     double farthest_place = 1.0e9;
 
@@ -33,67 +33,68 @@ struct VisibilityTuning {
     double most_cells = 1.0e6;
     // Segments farther outside the image than this, in pixels, are put into the outermost cells of the grid.
     double grid_end = 1.0e4;
-    // A cell with more than this many crossings per segment is a tangle, and its crossings are ignored. In a tangle
-    // lines run to and fro over one another within a pixel, as contours do on a flat face that is seen edge-on.
+    // A cell with more crossings per segment than this is a tangle, and its crossings are ignored. In a tangle, lines
+    // run back and forth over one another within a pixel, for example contours on a flat face that is seen edge-on.
     int most_crossings_per_segment = 16;
     // A cell with more segments than this is a tangle, too. Larger: more time for tangles.
     int most_segments = 4096;
-    // Newton's method takes at most this many steps, and ends when a step is shorter than `newton_tolerance`, in
-    // pieces.
+    // Newton's method takes at most this many steps. It ends when a step is shorter than `known`, in lengths of the
+    // piece.
     int newton_steps = 20;
     double newton_tolerance = 1e-10;
-    // Crossings of one pair of pieces are merged where they are nearer to each other than this, in pieces.
+    // Two crossings of the same pieces are merged if they are closer than this, in lengths of the piece.
     double same_place = 1e-7;
-    // A place may lie beyond the end of its piece by this much, in pieces.
+    // A place may be beyond the end of its piece by this much, in lengths of the piece.
     double end_slack = 1e-8;
-    // Curves that are nearer than this to each other at a crossing are the same curve, in sides of the mesh. Larger:
-    // crossings of surfaces that nearly touch are lost.
+    // Two curves that are closer than this at a crossing are the same curve, in mesh sides. Larger: crossings of
+    // surfaces that nearly touch are lost.
     double least_gap = 1e-5;
     // If a line crosses itself with a smaller gap than this, in mesh sides, it is no crossing: the line turns back at a
     // cusp. Larger: small loops are lost.
     double least_loop = 0.02;
-    // `least_gap` for a border or another line and the contours of its own surface, since their images touch.
+    // Contours do not cross a border or other line of their surface if the gap is smaller than this, in mesh sides,
+    // because their images touch. Larger: crossings are lost.
     double touching_gap = 0.05;
 
     // ---- Verification of crossings
 
     // A crossing is verified if the distance of its curves is below this, in mesh sides. Larger: more time.
     double suspicious_gap = 0.5;
-    // The search for a crossing on the curves ends after this many rounds, or when a step is shorter than
-    // `settled_step`, in gaps between the curves.
+    // The search for a crossing on the curves ends after this many rounds, or when a step is shorter than `settled`
+    // times the gap between the curves.
     int verifying_rounds = 8;
     double settled_step = 0.01;
-    // The search fails where it moves a place farther than `farthest_crossing`, or where the gap shrinks below
-    // `smallest_gap`, both in gaps. Larger and smaller: crossings are kept that the curves do not have.
+    // The search fails if it moves a place farther than `farthest_crossing`, or if the gap becomes smaller than
+    // `smallest_gap`, both relative to the first gap. Larger and smaller: crossings are kept that the curves do not
+    // have.
     double farthest_crossing = 0.5;
     double smallest_gap = 0.1;
 
     // ---- Lines that pass through another item's surface
 
-    // A piece whose ends are both outside the surface's region is halved at most this many times. Larger: pieces that
-    // only touch the region are found.
+    // If both ends of a piece are outside the region of the surface, it is halved at most this many times. Larger:
+    // pieces that only touch the region are found.
     int most_halvings_outside = 6;
-    // A line nearer than this to a surface lies in the surface, in diagonals of the surface's region.
+    // A line closer to a surface than this lies in the surface, in diagonals of the surface's region.
     double in_surface_distance = 1e-7;
 
     // ---- Counting
 
-    // Cusps nearer than this to each other along a line form a group, in pixels. In a contradictory line, a part
-    // shorter than this takes the number of the part before it. Larger: small swallowtails that can be seen are
-    // ignored.
+    // Cusps closer than this along a line, in pixels, form a group. On a contradictory line, a part shorter than this
+    // gets the number of the part before it. Larger: small swallowtails that can be seen are ignored.
     double unseen_length = 0.25;
-    // The branches of a group of cusps cross at most this many times `unseen_length` away from it.
+    // The branches of a group of cusps cross at most this far from it, in units of `unseen`.
     double branch_reach = 8.0;
-    // Each line whose outline is wanted gets at most this many rays.
+    // The number of rays for each line whose outline is wanted, at most.
     int outline_rays = 3;
-    // Each round multiplies the tolerance of the image by this.
+    // From round to round, the tolerance of the image is multiplied by this.
     double round_factor = 0.1;
-    // Curves are refined to this share of the next round's tolerance.
+    // Curves are refined until they are within this share of the next round's tolerance.
     double refined_tolerance_share = 0.2;
-    // Curves are refined only if at most this many lines contradict themselves. If there are more, the tolerance of the
+    // Curves are refined only if at most this many lines are contradictory. If there are more, the tolerance of the
     // curves is not the cause. Larger: more time for torn surfaces.
     std::int64_t most_refined_lines = 50;
-    // Around a doubtful crossing, this many pieces before and after it on both curves are refined, too.
+    // At a doubtful crossing, this many pieces before and after it are also refined, on both curves.
     int pieces_beside_crossing = 2;
 };
 inline constexpr VisibilityTuning visibility_tuning;

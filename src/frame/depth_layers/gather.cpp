@@ -35,7 +35,7 @@ constexpr std::int64_t clusters_a_task = 64; // A task has this many clusters. A
     return table;
 }
 
-// Whether two items have the same table.
+// Returns whether two items have the same table of transmittances.
 [[nodiscard]] bool have_same_transmittance(const ItemView& one, const ItemView& other) noexcept {
     const Style& a = one.style;
     const Style& b = other.style;
@@ -60,7 +60,7 @@ constexpr std::int64_t clusters_a_task = 64; // A task has this many clusters. A
         const float spacing = run.discs.spacing;
         ItemInk::Term term{&run.discs,
                            (has_one || run.directions == 3U ? 1.0F : 0.5F) * run.style->share / (spacing * spacing)};
-        // Lines of one direction are one separation apart.
+        // Lines with the same direction are one separation apart.
         if (run.discs.separation > 0.0F) term.step = (has_one ? 1.0F : 2.0F) * spacing * spacing / run.discs.separation;
         if (!run.is_scattered()) lines += has_one || run.directions != 3U ? 1.0F : 2.0F;
         terms.push_back(term);
@@ -130,7 +130,7 @@ std::int64_t add_tasks(const Scene& scene, base::Array<GatherTask>& tasks) {
     return unused;
 }
 
-// Asks for the tones of a cluster's marks that may be seen as ink.
+// Asks the callback for the tones of those marks in a cluster that may show as ink.
 void ask_cluster(const Scene& scene, const ProjectionLoops& loops, const Run& run, const marks::Cluster& cluster,
                  Gathering& all) {
     const ItemSight& sight = all.sights[run.item];
@@ -176,7 +176,7 @@ struct RunView {
     std::uint32_t layer; // the number of the run's layer in the drawing
 };
 
-// The places of the next dot and splat, and the counts of those before.
+// The places of the next dot and the next splat, and the counts so far.
 struct GatherOutput {
     Dot* dot;
     Splat* splat;
@@ -188,20 +188,20 @@ struct VisibleCluster {
     const marks::Cluster& cluster;
     const MarkBlock* blocks;
     ClusterView view;
-    float pixel_curvature; // the factor from a curvature in the set's unit to one per pixel
-    bool is_uniform;       // no mark is near a contour, and all face alike
+    float pixel_curvature; // converts a curvature in the set's unit into one per pixel
+    bool is_uniform;       // No mark is near a contour, and all marks face the same side.
 
     [[nodiscard]] std::uint32_t mark(std::int64_t i) const noexcept {
         return blocks[i / MarkBlock::size].mark[i % MarkBlock::size];
     }
 };
 
-// An upper bound of the share of front marks that select() shows.
+// Returns an upper bound for the share of front marks that select() shows.
 [[nodiscard]] float largest_shown_share(const RunView& v, const Selection& selection,
                                         const ClusterView& view) noexcept {
     const Style& style = v.item.style;
     if (selection.is_published || style.tone == Tone::callback) return 1.0F;
-    // The cone of normals does not bound normals for tone.
+    // For other tones, the cone of normals gives no bound.
     const bool is_bounded = style.tone == Tone::light && !v.run.has_tone_normals();
     float shown = 1.0F - (is_bounded ? LightTone(style).least(view.lit_min) : 0.0F);
     if (selection.coverage) {
@@ -213,7 +213,7 @@ struct VisibleCluster {
     return 1.001F * selection.share * selection.fade_factor * shown + 1e-5F;
 }
 
-// `reach` is the radius of the largest disc of a mark, with its rim.
+// Returns the rules for drawing a cluster. `reach` is the largest radius of a mark's disc, including its rim.
 [[nodiscard]] Selection selection_of(const RunView& v, const VisibleCluster& visible, float reach) noexcept {
     const glm::vec4& viewport = v.scene.lens.viewport;
     const float pixels_per_unit = visible.view.pixels_per_unit;
@@ -233,15 +233,16 @@ struct VisibleCluster {
         selection.per_ink = 1.0F / std::max(ink_per_pixel(terms, pixels_per_unit), v.ink.needed[darkest]);
     selection.share = v.run.style->share;
     selection.fade = style.tone_fade;
-    selection.fade_factor = 1.0F / (1.0F - 0.5F * selection.fade); // marks that fade in are small, so more are shown
+    selection.fade_factor =
+        1.0F / (1.0F - 0.5F * selection.fade); // Marks that fade in are small, so more of them are shown.
     selection.scale = v.run.discs.scale(pixels_per_unit);
-    // Coverage accounts for foreshortening. Without it, ink of the front fades where the front turns away.
+    // With coverage, foreshortening is already taken into account. Without it, ink of the front fades near the contour.
     const bool vanishes = selection.fade > 0.0F && !selection.coverage && !selection.is_published;
     selection.vanishing_nu = vanishes ? layer_tuning.front_fade : 0.0F;
     return selection;
 }
 
-// How many of a cluster's first marks belong to the share `shown` of all marks.
+// Returns how many of a cluster's first marks belong to the first share `shown` of all marks.
 [[nodiscard]] std::int64_t count_shown(const VisibleCluster& visible, float shown) noexcept {
     if (!(shown > 0.0F)) return 0;
     std::int64_t low = 0;
@@ -265,18 +266,19 @@ struct VisibleCluster {
 // How many of a cluster's first marks are splats.
 [[nodiscard]] std::int64_t count_splats(const Run& run, const VisibleCluster& visible) noexcept {
     if (!run.splats) return 0;
-    // The first lines of a nested set leave the places of the others open, so all marks are needed.
+    // The first lines of a nested set leave gaps for the other lines, so all marks are needed as splats.
     if (run.marks->kind == marks::Kind::hatch || (!run.is_even() && !run.is_scattered())) return visible.cluster.count;
     const float pixels = run.discs.spacing * visible.view.pixels_per_unit / least_splat_spacing(visible);
-    if (!(pixels < 1.0F)) return visible.cluster.count; // also for NaN, if a float does not hold the spacing
+    // The comparison is also true for NaN, which occurs if the spacing does not fit into a float.
+    if (!(pixels < 1.0F)) return visible.cluster.count;
     // The first marks of a cluster are spread as evenly as the first marks of the layer.
     return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(visible.cluster.count)));
 }
 
-// Sets the halo of a splat near the contour. The halo starts at the contour, and must nowhere lie before the contour's
-// own line, which may run into the depth. The contour's direction is conjugate to the line of sight, since along the
-// contour the normal stays perpendicular to the line of sight.
-// [Koenderink 1984, "What does the occluding contour tell us about solid shape?"]
+// Sets the halo of a splat near the contour. The halo starts at the contour, and must not lie before the contour's own
+// line, even where this line runs into the depth. The contour's direction is conjugate to the line of sight, because
+// the normal stays perpendicular to the line of sight along the contour. [Koenderink 1984, "What does the occluding
+// contour tell us about solid shape?"]
 void set_halo(const RunView& v, const VisibleCluster& visible, const ProjectedMarks& projected, std::int64_t i,
               Splat& c) noexcept {
     const float nu = projected.nu[i];
@@ -290,9 +292,10 @@ void set_halo(const RunView& v, const VisibleCluster& visible, const ProjectedMa
     const glm::vec3 w = sight - glm::dot(sight, n) * n; // the line of sight along the surface
     const auto& s = visible.cluster.shape;
     const glm::vec3 turn(s[0] * w.x + s[1] * w.y + s[2] * w.z, s[1] * w.x + s[3] * w.y + s[4] * w.z,
-                         s[2] * w.x + s[4] * w.y + s[5] * w.z); // the change of the normal for the step w
-    const float curvature = glm::dot(w, turn) / glm::dot(w, w); // radial, object space; positive where convex
-    // The mark lies at the angle nu from the contour on a circle of this curvature; a flat surface gives infinity.
+                         s[2] * w.x + s[4] * w.y + s[5] * w.z); // the change of the normal along w
+    // The radial curvature in object space; positive where the surface is convex.
+    const float curvature = glm::dot(w, turn) / glm::dot(w, w);
+    // On a circle of this curvature, the angle from the mark to the contour is nu. A flat surface gives infinity.
     const float bend = std::abs(curvature) * visible.pixel_curvature;
     const float away = nu * nu / ((1.0F + std::sqrt(std::max(0.0F, 1.0F - nu * nu))) * bend);
     if (!(away <= layer_tuning.contour_band)) return;
@@ -300,13 +303,14 @@ void set_halo(const RunView& v, const VisibleCluster& visible, const ProjectedMa
     const float across = std::sqrt(along.x * along.x + along.y * along.y);
     const float slope = -along.z / across;
     const float side = std::sqrt(projected.side_x[i] * projected.side_x[i] + projected.side_y[i] * projected.side_y[i]);
-    if (!(std::abs(slope) <= layer_tuning.steepest_contour) || !(side > 0.0F)) return; // the contour ends here
+    // The halo ends here: the contour is too steep, or on the wrong side.
+    if (!(std::abs(slope) <= layer_tuning.steepest_contour) || !(side > 0.0F)) return;
     c.halo = width;
     c.halo_transmittance = v.transmittance.halo;
     c.halo_x = c.x + away * projected.side_x[i] / side;
     c.halo_y = c.y - away * projected.side_y[i] / side;
-    // Where a surface bends little, its marks say little about the distance to the contour. The slack keeps the
-    // contour's own line before the halo, and also things that are hardly farther.
+    // Where the surface bends little, its marks give only a rough distance to the contour. The slack keeps the halo
+    // beyond the contour's own line, and beyond things at nearly the same depth.
     const float slack = std::sqrt(2.0F * layer_tuning.contour_band * (1.0F / bend)) + std::abs(slope) * c.halo;
     c.halo_depth = c.depth + -nu * v.sight.scale / curvature + slack / c.pixels_per_unit;
     c.halo_slope_x = slope * along.x / (across * c.pixels_per_unit);
@@ -327,7 +331,7 @@ void add_splats(const RunView& v, const VisibleCluster& visible, const Projected
     const bool has_items = v.scene.items.size() > 1;
     for (std::int64_t i = 0; i < count; ++i) {
         const float nu = projected.nu[i];
-        // The comparisons are false for NaN.
+        // For NaN the comparisons are false.
         if (!(projected.pixels_per_unit[i] > 0.0F) || !(std::abs(nu) <= 1.001F) ||
             !(projected.window[i] >= 0.0F && projected.window[i] <= 1.0F))
             continue;
@@ -357,7 +361,7 @@ void add_splats(const RunView& v, const VisibleCluster& visible, const Projected
 
 // ---- Ink
 
-// Returns tau of marks. It is computed into `scratch` unless a callback gave it.
+// Returns tau of the marks. If no callback gave it, it is computed into `scratch`.
 [[nodiscard]] const float* tones_of(const RunView& v, const VisibleCluster& visible, const ProjectedMarks& projected,
                                     std::int64_t count, float* scratch) noexcept {
     const Style& style = v.item.style;
@@ -433,7 +437,7 @@ void gather_cluster(const RunView& v, const marks::Cluster& cluster, const Proje
         return;
     }
     visible.pixel_curvature = 1.0F / (v.sight.scale * view.pixels_per_unit);
-    // Marks up to this |nu| may be near the contour, since no curvature exceeds the cluster's bound.
+    // A mark may be near the contour if its |nu| is at most this, because curvatures are below the cluster's bound.
     const float q = layer_tuning.contour_band * (cluster.max_curvature * visible.pixel_curvature);
     const float rim = q < 1.0F ? std::sqrt(q * (2.0F - q)) : 1.0F;
     const float band = cluster.max_curvature >= 0.0F ? rim : layer_tuning.unknown_rim_nu;

@@ -51,8 +51,8 @@ inline constexpr std::array<float, 17> blue_noise_ink = {0.0F,    0.0625F, 0.125
 struct ItemInk {
     struct Term {
         const DiscSizes* discs = nullptr;
-        float marks_per_area = 0.0F; // marks per square eye unit
-        float step = 0.0F;           // distance of marks along a stroke, eye units; 0: the marks form no strokes
+        float marks_per_area = 0.0F; // the number of marks per square eye unit
+        float step = 0.0F; // the distance of marks along a stroke, in eye units; 0 if the marks form no strokes
     };
     std::int64_t first = 0, end = 0; // The range of the item's terms in Gathering::terms.
     // ink_for() of each coverage k / needed_steps, so that no root is needed for each mark

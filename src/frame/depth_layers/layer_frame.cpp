@@ -36,7 +36,7 @@ void find_color(const Scene& scene, drawing::Drawing& drawing) {
     }
 }
 
-// Puts all dots except those of hatching into tiles.
+// Puts all dots into tiles, except dots of hatching.
 void bin_dots(const base::Parallel& parallel, const Scene& scene, std::span<const IndexRange> pieces,
               drawing::Drawing& drawing) {
     const glm::vec4& v = scene.lens.viewport;
@@ -77,12 +77,13 @@ constexpr std::int64_t planes_of_one = 2 * LayerPlanes::layers + 2;
 constexpr std::int64_t rays_at_a_time = 16384;
 constexpr std::int32_t most_layers = 8; // The largest number of layers that a ray finds.
 
-// The surfaces and tables that dim the tiles of a drawing.
+// The surfaces and tables that reduce the opacity of dots in a drawing.
 struct DimmingInput {
     const Scene& scene;
     const HatchTiles& hatching;
     LayerLoops loops;
-    std::uint32_t open_item_bits; // a bit for each item that may end in the open, at the lowest bits of its number
+    // A bit for each item with a border; the bit's index is given by the lowest bits of the item's number.
+    std::uint32_t open_item_bits;
     std::int32_t apron;
 };
 
@@ -104,8 +105,8 @@ struct DimmingInput {
     return row * p.stride + column;
 }
 
-// Whether the layer goes on in all directions. In each it must be seen, or something nearer must lie where its slope
-// leads.
+// Returns whether the layer continues in all directions. In each direction, the layer must be visible, or something
+// nearer must cover the place to which the layer's slope leads.
 [[nodiscard]] bool continues_around(const LayerPlanes& p, std::int64_t layer, const glm::vec2& place) noexcept {
     const float reach = layer_tuning.border_reach * p.largest_splat;
     const std::int32_t here = pixel_at(p, place);
@@ -122,14 +123,15 @@ struct DimmingInput {
     return true;
 }
 
-// The layers that a dot is seen through.
+// The layers through which a dot is seen.
 struct DimResult {
     float transmittance = 1.0F;
-    // Other layers may lie between the ink and this depth; `no_depth`: none can.
+    // From this depth on, other layers may lie before the ink. `nothing`: there are none.
     float more_from = no_depth;
 };
 
-// Dims ink by the nearest layers and the halo or, if `next`, by the next layers. `place` is in pixels of the planes.
+// Reduces a dot's opacity by the nearest layers and the halo or, if `next`, by the next layers. `place` is in pixels of
+// the planes.
 DimResult dim(const DimmingInput& by, const LayerPlanes& p, const Dot& ink, const glm::vec2& place,
               bool next) noexcept {
     HRBFNPR_ASSERT(ink.layer < by.scene.runs.size() && ink.pixels_per_unit > 0.0F);
@@ -147,7 +149,7 @@ DimResult dim(const DimmingInput& by, const LayerPlanes& p, const Dot& ink, cons
     const auto hides = [&](std::int64_t layer, bool alike) {
         const float depth = p.depth[layer][at];
         const std::uint32_t its = item_of(p.transmittance[layer][at]);
-        // A layer of another item is never the ink's own layer.
+        // True if the layer belongs to another item than the ink, so it cannot be the ink's own layer.
         const bool is_other = has_items && depth < no_depth && its != item;
         if (alike && !is_other) return depth + own < ink.depth;
         if (!(depth + other < ink.depth)) return false;
@@ -161,13 +163,14 @@ DimResult dim(const DimmingInput& by, const LayerPlanes& p, const Dot& ink, cons
     const bool after_front = hides(first, !faces_back) || (after_back && front < back);
     if (after_front) result.transmittance *= p.transmittance[first][at];
     if (after_back) result.transmittance *= p.transmittance[first + 1][at];
-    // In solids, a layer that faces away lies between two that face the eye.
+    // In a solid, a layer that faces away is between any two layers that face the eye.
     if (after_back || (after_front && back == no_depth)) result.more_from = std::min(front, back);
     return result;
 }
 
-// Dims the dots whose centres lie in a tile: first through the nearest layers and then, if any ink is still seen behind
-// those, through the next ones. Returns how many dots are drawn. Sets `largest` to the radius of the largest splat.
+// Reduces the opacity of the dots whose centres are in a tile: by the nearest layers and, if ink is still visible
+// through these, by the next layers. Returns the number of dots that are drawn. Sets `largest` to the radius of the
+// largest splat.
 std::int64_t dim_tile(const DimmingInput& by, LayerPlanes& planes, drawing::Drawing& drawing, std::int64_t tile,
                       float& largest) noexcept {
     const drawing::Tiles& tiles = drawing.dot_tiles;
@@ -236,8 +239,8 @@ std::int64_t dim_tile(const DimmingInput& by, LayerPlanes& planes, drawing::Draw
 
 // ---- Rays
 
-// Multiplies the opacity of the dots in `ray_dots` by the transmittance of the layers that their rays meet. Returns how
-// many dots are no longer drawn.
+// Casts rays from the dots in `asked`. Multiplies the opacity of each by the transmittance of the layers that its ray
+// meets. Returns the number of dots that are no longer drawn.
 std::int64_t cast_dot_rays(const base::Runtime& runtime, const Scene& scene, const ItemView& item, DepthLayers& scratch,
                            drawing::Drawing& drawing) {
     HRBFNPR_ASSERT(scratch.rays.origin.size() == scratch.ray_dots.size());
@@ -327,7 +330,7 @@ std::int64_t cast_dot_rays(const base::Runtime& runtime, const Scene& scene, con
             const double pixel = 1.0 / (static_cast<double>(ink.pixels_per_unit) * scale);
             const glm::dvec3 from = glm::dvec3(run.place_of(mark, item->unit)) +
                                     layer_tuning.ray_offset * pixel * glm::dvec3(run.normal_of(mark));
-            // The length does not matter if lines of sight are parallel, since rays end at the model's bounds.
+            // If lines of sight are parallel, the length does not matter, because rays end at the model's bounds.
             const glm::dvec3 to = parallel ? from - back * centre : back * (centre - glm::dvec3(item->eye_offset));
             scratch.rays.origin.push_back(item->unit * from + item->origin);
             scratch.rays.direction.push_back(item->unit * (to - from));
@@ -433,7 +436,7 @@ void LayerFrame::join_dots(const Scene& scene, drawing::Drawing& drawing) {
     }
 }
 
-// Puts the strokes of all lists into the drawing, far to near.
+// Puts the strokes of all lists into the drawing, from far to near.
 void LayerFrame::add_strokes(const LineStrokes& lines, drawing::Drawing& drawing) {
     ready_.clear();
     keys_.clear();

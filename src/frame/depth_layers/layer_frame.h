@@ -31,7 +31,7 @@ struct DepthLayers {
     base::Array<std::int64_t> seen; // for each tile: the number of dots that are drawn
     surface::Rays rays;
     surface::RayHits hits;
-    base::Array<std::uint32_t> ray_dots; // the dots where the rays begin
+    base::Array<std::uint32_t> ray_dots; // the dots from which rays are cast
 
     [[nodiscard]] std::int64_t bytes() const noexcept {
         return largest.bytes() + planes.bytes() + seen.bytes() + rays.origin.bytes() + rays.direction.bytes() +
@@ -50,7 +50,7 @@ public:
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
-    // A finished stroke, as its number in a list.
+    // A finished stroke, given by its index in a list.
     struct ReadyStroke {
         const LineStrokes* list;
         std::int64_t number;

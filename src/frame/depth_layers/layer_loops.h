@@ -31,12 +31,13 @@ struct SplatList {
     const std::uint32_t* numbers;
     std::int64_t count;
     float left, top;
-    float nearest, farthest; // draw_next() is asked for layers between these depths
+    float nearest, farthest; // The range of depths that draw_next() considers.
 };
 
 struct LayerLoops {
-    void (*draw_nearest)(const LayerPlanes& planes, const SplatList& list); // the nearest layers
-    void (*draw_next)(const LayerPlanes& planes, const SplatList& list);    // the next ones, once the nearest are drawn
+    void (*draw_nearest)(const LayerPlanes& planes, const SplatList& list); // Finds the nearest layers.
+    // Finds the next layers. lay() must be called first.
+    void (*draw_next)(const LayerPlanes& planes, const SplatList& list); // the next ones, once the nearest are drawn
     void (*draw_halos)(const LayerPlanes& planes, const SplatList& list);
 };
 

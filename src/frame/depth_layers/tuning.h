@@ -20,12 +20,12 @@ struct LayerTuning {
     // contour. Larger: less time, but small features are missed.
     float splat_spacing = 6.0F;
     float contour_splat_spacing = 4.0F;
-    // The radius of splats in spacings, without half a pixel that is added. A blue-noise order leaves no place farther
-    // than 0.8 spacings from a mark; random marks leave one place in two thousand uncovered. Larger: fewer holes, but
-    // more is hidden beyond a layer's border.
+    // The radius of splats in spacings; half a pixel is added. In a blue-noise order, no place is farther than 0.8
+    // spacings from a mark. Of random marks, one place in two thousand remains uncovered. Larger: fewer holes, but more
+    // is hidden beyond the border of a layer.
     float even_splat_radius = 0.85F;
     float random_splat_radius = 1.6F;
-    // Marks whose |n . v| is larger than this are not near a contour, if the curvature is not known. Larger: more
+    // If the curvature is not known, marks whose |n . v| is larger than this are not near a contour. Larger: more
     // splats.
     float unknown_rim_nu = 0.2F;
 
@@ -62,13 +62,13 @@ struct LayerTuning {
 
     // ---- Exact visibility
 
-    // Rays start this many pixels off the layer of their mark. Larger: fewer marks are hidden by their own layer, and
-    // more shine through surfaces that touch it.
+    // A ray starts this many pixels off the layer that its mark lies on. Larger: fewer marks are hidden by their own
+    // layer, and more show through surfaces that touch it.
     double ray_offset = 0.5;
 
     // ---- Progress
 
-    // The shares of the time after which marks are gathered and dimmed, when there are many marks.
+    // The shares of the time for gathering and for depth layers, if there are many marks.
     double gathered_share = 0.4;
     double dimmed_share = 0.8;
 };

@@ -264,8 +264,8 @@ struct Gap {
     return true;
 }
 
-// Finds the cut near sample `last`, the last one that is seen in the direction `way`, 1 or -1. The search
-// begins at a sample that is near no edge, but not before `first_seen`, and ends at `last_hidden`.
+// Finds the cut near sample `last`, the last one that is seen in the direction `way` (1 or -1). The search begins at a
+// sample far from all edges, but not before `first_seen`, and ends at `last_hidden`.
 [[nodiscard]] HatchCut search(const SeenLine& line, std::int64_t last, std::int64_t way, std::int64_t first_seen,
                               std::int64_t last_hidden) noexcept {
     std::int64_t i = last;

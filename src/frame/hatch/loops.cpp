@@ -132,8 +132,9 @@ void project(const HatchSight& sight, const HatchRows& rows, std::int64_t count)
     });
 }
 
-// The curve from darkness to coverage, both from 0 to 1, is a little hollow, since ink spreads and dark tones close up.
-// It is x times a polynomial of the root of x, which is within 0.00014 of x^1.1 and takes far less time.
+// The curve from darkness to coverage, both from 0 to 1. It is slightly below the diagonal, because ink spreads and
+// dark tones merge. The formula, x times a polynomial of sqrt(x), differs from x^1.1 by at most 0.00014 and is much
+// faster.
 constexpr float coverage_coefficients[5] = {0.5399F, 1.1747F, -1.5068F, 1.1364F, -0.3442F};
 
 HWY_INLINE W coverage(const HatchWidthLaw& law, W darkness) {
@@ -155,16 +156,17 @@ void coverage(const HatchWidthLaw& law, const float* darkness, std::int64_t coun
                 [&](std::int64_t at) HWY_ATTR { hn::StoreU(coverage(law, hn::LoadU(d, darkness + at)), d, to + at); });
 }
 
-// The widths of lines at one place, in pixels. Lines of levels up to `full` have `width`, and those of the next
-// `fading`.
+// The widths of lines at a place, in pixels. Lines of levels up to `full` have the width `width`. Lines of the next
+// level have the width `fading`.
 struct LevelWidths {
-    W lambda; // how many levels there is room for
+    W lambda; // the number of levels for which there is space
     W full, width, fading;
     W margin; // The fading level is drawn where this is positive. It has its full width where this is 1.
 };
 
-// `spacing`: of the lines of level 0 in the picture, pixels; lines of levels 0 to k are 2^k times as close. `gap`: the
-// factor by which lines are really farther apart; the levels that are drawn do not depend on it.
+// Finds the widths of lines. `spacing` is the spacing of level 0 in the picture, in pixels; the lines of levels 0 to k
+// together are 2^k times as close. `gap` is the factor by which the real distance of lines is larger. It does not
+// affect which levels are drawn.
 HWY_INLINE LevelWidths widths(const HatchWidthLaw& law, W coverage, W spacing, W gap) {
     const F d;
     const I i;
@@ -193,7 +195,8 @@ HWY_INLINE LevelWidths widths(const HatchWidthLaw& law, W coverage, W spacing, W
     return w;
 }
 
-// Fills `reach` numbers before the first and after the last one, from a closed stroke's other end or with `otherwise`.
+// Fills `reach` elements before the first mark and after the last one: from the other end of a closed stroke, or else
+// with `otherwise`.
 HWY_INLINE void pad_row(float* row, std::int64_t count, bool closed, std::int64_t reach, float otherwise) {
     for (std::int64_t k = 1; k <= reach; ++k) {
         row[-k] = closed && k <= count ? row[count - k] : otherwise;
@@ -209,7 +212,7 @@ HWY_INLINE W largest_near(const float* row) {
     return hn::Max(hn::LoadU(d, row), hn::Max(pair(1), pair(2)));
 }
 
-// Sets the tone's margin, and sets `least_margin` to the least margin of tone, rim and picture.
+// Sets the margin of tone, and sets `least` to the least of the margins of tone, rim and picture.
 HWY_INLINE void set_least_margin(const HatchWidthLaw& law, const HatchRows& rows) {
     const F d;
     const W tone = hn::Sub(hn::LoadU(d, rows[HatchRow::darkness]), set(law.style->hatch_tone_begin));
@@ -218,11 +221,12 @@ HWY_INLINE void set_least_margin(const HatchWidthLaw& law, const HatchRows& rows
     hn::StoreU(hn::Min(tone, others), d, rows[HatchRow::least_margin]);
 }
 
-// These rows are not needed yet. They hold the level's margin and the width of each mark before smooth_along().
+// These rows are not used yet. Until soften(), they hold the margin of the level and the width for each mark.
 constexpr HatchRow own_margin = HatchRow::greatest_nearby;
 constexpr HatchRow own_width = HatchRow::distance_before;
 
-// Sets own_margin and own_width. `near` holds the marks that need them, which are the same for each instruction set.
+// Sets own_margin and own_width for the marks that need them, which `near` gives. They are the same for each
+// instruction set.
 HWY_INLINE void set_width(const HatchSight& sight, const HatchWidthLaw& law, const HatchRows& rows, M near) {
     const F d;
     const auto row = [&](HatchRow number) HWY_ATTR { return hn::LoadU(d, rows[number]); };
@@ -247,8 +251,8 @@ HWY_INLINE void set_width(const HatchSight& sight, const HatchWidthLaw& law, con
                rows[HatchRow::picture_margin]);
 }
 
-// Makes margins and widths change gradually, since a line may change its level from one mark to the next. Each becomes
-// half of its own value and a quarter of either neighbour's.
+// Smooths margins and widths along the line, because the level may change from one mark to the next. Each value becomes
+// half of itself plus a quarter of each neighbour.
 HWY_INLINE void smooth_along(const HatchRows& rows, std::int64_t count, bool closed) {
     const F d;
     for (const HatchRow own : {own_margin, own_width}) {

@@ -32,15 +32,16 @@ enum class HatchRow : std::int64_t {
     side_x,
     side_y,
     distance,
-    darkness,        // n . l at first, then the darkness
-    width,           // line width, pixels
-    distance_before, // distance from the mark before, pixels; 0 if one of both has no place
-    tone_margin,     // the line is drawn where none of these four is negative
+    darkness,        // first n . l, later the darkness
+    width,           // line width in pixels
+    distance_before, // distance from the mark before, in pixels; 0 if one of the two marks has no position in the
+                     // picture
+    tone_margin,     // The line is drawn where none of the four margins is negative.
     level_margin,
     rim_margin,
-    picture_margin,  // hatch_nowhere: the mark has no place in the picture's plane
-    least_margin,    // the least of the four margins
-    greatest_nearby, // the greatest of `least_margin` over the marks up to two away
+    picture_margin,  // hatch_nowhere if the mark has no position in the picture
+    least_margin,    // the smallest of the four margins
+    greatest_nearby, // the largest `least` of the marks at most two places away
     rows
 };
 
@@ -65,14 +66,14 @@ struct HatchRows {
 // The numbers of the view that determine how marks look.
 struct HatchSight {
     const ViewTransform* view_transform;
-    float separation;               // between lines of level 0 on the surface; 0: not known
-    float left, top, right, bottom; // the picture's sides, pixels
-    float beyond;                   // the strip around the picture that counts as inside, pixels
+    float separation;               // the distance of lines of level 0 on the surface; 0 if not known
+    float left, top, right, bottom; // the sides of the picture, in pixels
+    float beyond;                   // the width of the strip around the picture that counts as inside, in pixels
 };
 
-// How wide the lines of each level of a nested set are, so that together they cover a share of the paper that grows
-// with the darkness.  [Winkenbach & Salesin 1994, "Computer-generated pen-and-ink illustration"; Praun et al. 2001,
-// "Real-time hatching": lines of a lighter tone stay in a darker one]
+// The widths of the lines of each level. Together, the lines cover a share of the paper that grows with the darkness.
+// [Winkenbach & Salesin 1994, "Computer-generated pen-and-ink illustration"; Praun et al. 2001, "Real-time hatching":
+// lines of a lighter tone are also in a darker tone]
 struct HatchWidthLaw {
     const LayerStyle* style;
     float levels;
@@ -89,16 +90,16 @@ struct HatchLoops {
     // Tests the normals of at most 32 marks, and their normals for tone. Returns a bit for each mark that may be drawn.
     std::uint32_t (*may_draw)(const HatchBounds& bounds, const float* normals, const float* tone_normals,
                               std::int64_t count);
-    // The share of the paper that lines cover at each darkness.
+    // Computes the share of the paper that lines cover, for each darkness.
     void (*coverage)(const HatchWidthLaw& law, const float* darkness, std::int64_t count, float* coverage);
-    // Sets the rim's and the picture's margin of marks that have been seen.
+    // Sets the margins of rim and picture for marks whose positions are known.
     void (*project)(const HatchSight& sight, const HatchRows& rows, std::int64_t count);
-    // Sets widths, and the margins of tone and level, from the darkness and the results of place(), for marks that may
-    // be drawn and for their neighbours. Rows x, y and z must hold the places before the first and after the last mark,
-    // too.
+    // Sets the widths, and the margins of tone and level, for marks that may be drawn and for their neighbours. They
+    // follow from the darkness and the results of place(). Rows x, y and z must also hold the positions before the
+    // first mark and after the last one.
     void (*set_widths)(const HatchSight& sight, const HatchWidthLaw& law, const HatchRows& rows, std::int64_t count,
                        bool closed);
-    // Sets the legs, and finds which marks are near a mark that is drawn.
+    // Computes the distances between consecutive marks. Finds the marks near a mark that is drawn.
     void (*measure_distances)(const HatchRows& rows, std::int64_t count, bool closed);
 };
 

@@ -39,7 +39,7 @@ void HatchPoints::add_batches(const Scene& scene) {
     }
 }
 
-// Sorts tones by mark, since clusters hold marks in another order.
+// Sorts the tones by mark, because clusters store marks in a different order.
 void HatchPoints::take_taus(const Input& seen) {
     const Scene& scene = seen.scene;
     if (std::none_of(scene.runs.begin(), scene.runs.end(), [&](const Run& run) { return asks(scene, run); })) return;

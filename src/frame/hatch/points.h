@@ -33,9 +33,9 @@ enum HatchMargin : std::size_t {
 struct HatchMark {
     float x, y; // position in pixels
     float window, depth;
-    float side_x, side_y;  // x and y of the unit normal, eye space
-    float width;           // line width, pixels
-    float distance_before; // distance from the mark before, pixels
+    float side_x, side_y;  // x and y of the unit normal in eye space
+    float width;           // line width in pixels
+    float distance_before; // distance from the mark before, in pixels
     std::array<float, hatch_margins> margin;
     float pixels_per_unit;
     float begins_chain; // 1 if the marks just before were left out, so that a new chain begins here; else 0
@@ -217,7 +217,7 @@ public:
         : runtime_(runtime), see_(projection_loops(runtime.instruction_set)),
           loops_(hatch_loops(runtime.instruction_set)), batches_(runtime.memory), taus_(runtime.memory) {}
 
-    // How the other marks of the frame are seen.
+    // How all other marks of the frame are seen.
     struct Input {
         const Scene& scene;
         std::span<const ItemSight> sights; // one element for each item
@@ -225,7 +225,7 @@ public:
         std::span<const float> taus; // the tones from a callback, by the position of the mark
     };
 
-    // Adds the samples of all hatching after the drawing's other dots. The drawing must have been gathered.
+    // Adds the samples of all hatching to the drawing, after all other dots. gather() must be called first.
     void run(const Input& seen, drawing::Drawing& drawing);
 
     // Returns the batches of the last run, in the order of the strokes.

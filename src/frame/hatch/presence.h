@@ -28,8 +28,8 @@ struct SampledLine {
         HRBFNPR_ASSERT(i >= 0 && i < size());
         return length[static_cast<std::size_t>(i)];
     }
-    // Returns the neighbour of sample i in the direction `way`, 1 or -1, and sets `step` to its distance.
-    // Returns -1 where the line ends at i.
+    // Returns the neighbour of sample i in the direction `way` (1 or -1), and sets `step` to its distance. Returns -1
+    // if the line ends at i.
     [[nodiscard]] std::int64_t next(std::int64_t i, int way, float& step) const noexcept {
         std::int64_t k = i + way;
         if (k >= 0 && k < size()) {
@@ -89,7 +89,7 @@ template <class Presence, class Weight, class EndShare>
     return held; // The walk has passed all around a ring.
 }
 
-// Rises from 0 at `from` to 1 at `to`.
+// Returns a value that rises smoothly from 0 at `from` to 1 at `to`.
 [[nodiscard]] inline float ramp_between(float x, float from, float to) noexcept {
     return to > from ? std::clamp((x - from) / (to - from), 0.0F, 1.0F) : x > from ? 1.0F : 0.0F;
 }

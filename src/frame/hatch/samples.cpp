@@ -61,16 +61,19 @@ struct RunSight {
     const float* taus;
     std::int32_t levels;      // the number of the finest level
     double per_unit;          // 1 / the item's unit, a power of two
-    const float* tone_normal; // the normals that light is bounded by: the marks' own, or those for tone
-    bool has_bounds;          // whether marks can be passed over by their normals
-    bool is_unsteady;         // the hand is unsteady: it needs the numbers of all marks, and runs past the end of the
-                              // tone
-    float beyond;             // the strip around the picture in which lines may end unseen, pixels
+    const float* tone_normal; // The normals that bound the light: the normals of the marks, or their normals for tone.
+    bool has_bounds;          // true if marks can be skipped by their normals
+    // True for an unsteady hand. A wobble needs the numbers of all marks, and an overshoot continues beyond the end of
+    // the tone.
+    bool is_unsteady; // the hand is unsteady: it needs the numbers of all marks, and runs past the end of the
+                      // tone
+    float beyond;     // the width of the strip around the picture in which lines may end unseen, in pixels
     HatchWidthLaw law{};
-    float lightest = std::numeric_limits<float>::infinity(); // n . l above which a mark is too light
-    float separation = 0.0F;  // between lines of level 0 alone, in the item's unit; 0: not known
-    float stretch = 0.0F;     // the longest image of a length of 1 at the distance 1, pixels
-    std::int32_t shown = 255; // the finest level that can be seen from here
+    // Marks whose n . l is larger than this are too light to be drawn.
+    float lightest = std::numeric_limits<float>::infinity();
+    float separation = 0.0F;  // the separation of the lines of level 0, in the item's unit; 0 if not known
+    float stretch = 0.0F;     // the largest length in the picture, in pixels, of a unit length at the distance 1
+    std::int32_t shown = 255; // the finest level that may be visible in this view
     static constexpr std::size_t steps = 16;
     std::array<float, steps + 1> most_coverage{}; // for each k: the largest coverage for darknesses up to k / steps
 };
@@ -327,7 +330,7 @@ void set_darkness(const RunSight& v, std::span<const std::uint32_t> numbers, con
 void set_widths_alone(const RunSight& v, std::span<const std::uint32_t> numbers, const HatchRows& rows) noexcept {
     const auto count = static_cast<std::int64_t>(numbers.size());
     const float* const darkness = rows[HatchRow::darkness];
-    float* const coverage = rows[HatchRow::least_margin]; // not needed yet
+    float* const coverage = rows[HatchRow::least_margin]; // This row is not used yet.
     v.view.loops.coverage(v.law, darkness, count, coverage);
     for (std::int64_t i = 0; i < count; ++i) {
         float& picture = rows[HatchRow::picture_margin][i];
@@ -407,7 +410,7 @@ void keep_short_gaps(const HatchRows& rows, const HatchStroke& seen) noexcept {
     std::fill(near + end, near + count, 0.0F);
 }
 
-// The numbers of a HatchMark up to `pixels_per_unit`.
+// The rows for the members of HatchMark up to `pixels_per_unit`.
 constexpr HatchRow rows_of_mark[] = {
     HatchRow::left,           HatchRow::top,          HatchRow::window,     HatchRow::depth,
     HatchRow::side_x,         HatchRow::side_y,       HatchRow::width,      HatchRow::distance_before,
@@ -592,13 +595,13 @@ struct Marks {
     }
 };
 
-// A place between mark `mark` and the next one.
+// A position between the mark with the number `mark` and the next one.
 struct MarkPlace {
     std::int64_t mark;
     float share; // the share of the way to the next mark
 };
 
-// The point of Hermite's cubic between two marks.
+// Returns a point of the cubic Hermite curve between two marks.
 [[nodiscard]] glm::vec2 point_at(const Marks& m, const MarkPlace& place) noexcept {
     const std::int64_t i = place.mark;
     const float t = place.share;
@@ -612,7 +615,7 @@ struct MarkPlace {
            t * u * way * (u * m.tangent[i] - t * m.tangent[i + 1]);
 }
 
-// The area of the line from the first mark to a place. Widths change evenly from mark to mark.
+// Returns the area of the line from the first mark to a position. Between marks, widths change linearly.
 [[nodiscard]] float area_to(const Marks& m, const MarkPlace& place) noexcept {
     const std::int64_t i = place.mark;
     if (place.share == 0.0F) return m.area[i];
@@ -620,7 +623,8 @@ struct MarkPlace {
     return m.area[i] + place.share * way * (m[i].width + 0.5F * place.share * (m[i + 1].width - m[i].width));
 }
 
-// Moves a place along the line to `length`. It goes mark by mark, since the place is near.
+// Moves a position to the length `length` along the line. The search goes from mark to mark, because the new position
+// is near.
 void seek(const Marks& m, MarkPlace& place, float length) noexcept {
     while (place.mark > 0 && m.length[place.mark] > length) --place.mark;
     while (place.mark < m.size() - 2 && m.length[place.mark + 1] < length) ++place.mark;
@@ -628,7 +632,7 @@ void seek(const Marks& m, MarkPlace& place, float length) noexcept {
     place.share = way > 0.0F ? std::clamp((length - m.length[place.mark]) / way, 0.0F, 1.0F) : 0.0F;
 }
 
-// Interpolates all numbers of a sample, except its width, between the marks on either side.
+// Interpolates all members of a sample between the two neighbouring marks, except its width.
 void see_sample(const Marks& m, const MarkPlace& place, HatchSample& sample) noexcept {
     constexpr std::size_t numbers = offsetof(HatchSample, unused) / sizeof(float);
     const std::int64_t i = place.mark;
@@ -652,7 +656,7 @@ void see_sample(const Marks& m, const MarkPlace& place, HatchSample& sample) noe
         sample.margin.fill(hatch_nowhere);
 }
 
-// Moves a sample to the side, where the hand draws the line.
+// Moves a sample to the side, as the unsteady hand draws it.
 void add_wobble(const Marks& m, const HatchHand& hand, const MarkPlace& place, double mark,
                 HatchSample& sample) noexcept {
     if (!(hand.wobble > 0.0F)) return;
@@ -718,7 +722,7 @@ constexpr unsigned below_ramp = hatch_margins;
     return false;
 }
 
-// Places between two marks in rising order, with a bit for the margin that is 0 there.
+// Positions between two marks, in rising order. A bit tells which margin is 0 there.
 struct MarginCrossings {
     struct MarginCrossing {
         float at;
@@ -734,8 +738,8 @@ struct MarginCrossings {
     }
 };
 
-// Finds where the line's presence turns between mark i and the next one: where a margin changes its sign or begins to
-// fade.
+// Finds the positions between mark i and the next one at which the line's presence turns: a margin changes its sign, or
+// begins to fade.
 [[nodiscard]] MarginCrossings crossings_after(const Marks& m, std::int64_t i) noexcept {
     MarginCrossings turns;
     if (!m[i].is_valid() || !m[i + 1].is_valid()) return turns;
@@ -810,7 +814,7 @@ void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark
     const std::int64_t first = to.sample.size();
     to.sample.resize_for_overwrite(first + count);
     MarkPlace place{0, 0.0F};
-    MarkPlace edge{0, 0.0F}; // the end of the stretch over which a sample's width is averaged
+    MarkPlace edge{0, 0.0F}; // the end of the interval over which a sample's width is averaged
     const float half_step = 0.5F * whole / static_cast<float>(steps);
     float last = 0.0F; // the length and the area up to the last edge
     float last_area = 0.0F;

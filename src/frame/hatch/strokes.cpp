@@ -22,9 +22,9 @@ namespace {
 // square root near the tip.
 constexpr std::array<float, 3> tip_points = {0.3F, 1.25F, hatch_tuning.tip_reach};
 
-// The directions from a point in which its line may go on, which are those that pass near enough to all points since.
+// The directions in which a line may continue from a point. They must pass close enough to all points taken after it.
 struct AllowedSlopes {
-    // How far x, y and radius of a point may be off.
+    // The allowed errors of a point's x, y and radius.
     static constexpr std::array<float, 3> even = {hatch_tuning.place_tolerance, hatch_tuning.place_tolerance,
                                                   hatch_tuning.radius_tolerance};
 
@@ -35,7 +35,8 @@ struct AllowedSlopes {
     [[nodiscard]] std::array<float, 3> difference(const StrokePoint& to) const noexcept {
         return {to.x - from.x, to.y - from.y, to.radius - from.radius};
     }
-    // Whether all points taken are near enough to the line from the first one to this one, and the opacity is the same.
+    // Returns whether all points taken are close enough to the line from the first point to `to`, and have the same
+    // opacity.
     [[nodiscard]] bool allows(const StrokePoint& to) const noexcept {
         const float way = to.length - from.length;
         bool holds = way > 0.0F && to.opacity == from.opacity;
@@ -305,8 +306,8 @@ private:
 
     // ---- Tapers
 
-    // The length of the taper before sample k, the first one that a line in the direction `way` does not
-    // reach for a reason.
+    // Returns the length of the taper at an end of the line. The line runs in the direction `way`, and ends before
+    // sample k for the given reason.
     [[nodiscard]] float taper(Presence reason, std::int64_t k, int way) const noexcept {
         if (reason == by_picture) return 0.0F;
         const float longest = longest_taper(reason);
@@ -315,8 +316,8 @@ private:
                (1.0F - ramp_between(sine_at_rim(k, way), hatch_tuning.parallel_sine, hatch_tuning.crossing_sine));
     }
 
-    // The sine of the angle between the contour at sample k, where a line in the direction `way` ends, and
-    // the last part of the line.
+    // Returns the sine of the angle between a contour at sample k and the last part of a line in the direction `way`,
+    // which ends there.
     [[nodiscard]] float sine_at_rim(std::int64_t k, int way) const noexcept {
         std::int64_t i = k;
         float length = 0.0F;
@@ -566,7 +567,7 @@ private:
     void leave_out(std::int64_t first, std::int64_t last) {
         base::Array<StrokePoint>& points = part_.made.points;
         std::int64_t kept = first;
-        std::int64_t from = first; // the last point that was kept
+        std::int64_t from = first; // the last point that is kept
         AllowedSlopes passage(points[first]);
         for (std::int64_t i = first + 1; i < points.size(); ++i) {
             passage.take(points[i]);
@@ -580,7 +581,7 @@ private:
         points.resize(kept + 1);
     }
 
-    // The order in which samples are drawn. The order of a ring begins in a gap.
+    // The order in which samples are drawn. In a ring, it begins in a gap.
     struct SampleOrder {
         std::int64_t start = 0;
         std::int64_t around = 0; // the number of samples in a ring whose order is rotated; else 0

@@ -50,8 +50,8 @@ public:
     // or `nowhere`. Edges whose halo contains a are ignored.
     [[nodiscard]] float entry(const drawing::Dot& a, const drawing::Dot& b, float halo) const noexcept;
 
-    // The largest radius, up to `radius`, with which a line through the point in the direction `along` covers no edge
-    // before it, nor the edge's halo, nor a crease of its own surface.
+    // Returns the largest radius, up to `radius`, of a line through the point in the direction `along`. The line must
+    // cover no edge before it, no halo of such an edge, and no crease of the point's surface.
     [[nodiscard]] float clear_width(const drawing::StrokePoint& point, const glm::vec2& along, float radius,
                                     float halo) const noexcept;
 

@@ -45,37 +45,37 @@ struct HatchTuning {
     // `least_gap` is never less than this, in pixels, however thin the line is. Larger: lines cross small spots of
     // light.
     float least_gap_pixels = 1.0F;
-    // A gap that something hides is closed if it is no longer than this many halos, since a contour and its halo run
-    // out there. Up to `opened_halos` it opens gradually. Larger: halos are crossed.
+    // A hidden gap no longer than this many halos is closed, because a contour and its halo end in it. Up to
+    // `opened_halos`, gaps open gradually. Larger: halos are crossed.
     float closed_halos = 1.0F;
     float opened_halos = 1.5F;
-    // A part between two hidden ones must be at least this many times hatch_shortest long, since it lies in the halo of
-    // a line that runs along it. Larger: fewer flecks beside contours, and less hatching between close contours.
+    // A part between two hidden parts must be at least this many times `hatch_shortest` long. Shorter parts are in the
+    // halo of a line beside them. Larger: fewer flecks beside contours, and less hatching between close contours.
     float shortest_between_hidden = 3.0F;
-    // Where short parts are left out, a line between others with hardly any room counts as this share of its length.
-    // Smaller: fewer short lines between long ones.
+    // When short parts are left out, the length of a line is multiplied by this if its level has hardly any space
+    // between other lines. Smaller: fewer short lines between long ones.
     float length_of_filling = 1.0F / 3.0F;
     // In the length of a part, widths above this many pens count the same. Larger: thin parts must be longer.
     float full_width = 0.5F;
 
     // ---- Tapers
 
-    // A line's end is this share of hatch_taper long where its stroke or its level ends, or at a contour that the line
-    // runs along. Larger: softer ends.
+    // The end of a line is this share of `hatch_taper` long if the stroke or the level ends there, or at a contour
+    // beside the line. Larger: softer ends.
     float blunt_taper = 0.35F;
-    // A line's end at a crease rounds off over this many widths, since the face is dark up to its edge. Larger: pointed
-    // ends at creases.
+    // At a crease, the end of a line is rounded over this many widths, because the face is dark up to its edge. Larger:
+    // pointed ends at creases.
     float round_tip = 0.5F;
     // Where a line becomes hidden, it narrows over this many pixels. Larger: softer ends at contours.
     float hidden_taper = 2.0F;
-    // A line whose angle with a contour has at least the sine `crossing_sine` runs on under the contour. A line with at
-    // most the sine `parallel_sine` narrows before it. Larger: more lines narrow.
+    // If the sine of the angle between a line and a contour is at least `crosses`, the line continues under the
+    // contour. If it is at most `parallel_sine`, the line narrows before it. Larger: more lines narrow.
     float crossing_sine = 0.5F;
     float parallel_sine = 0.25F;
-    // That angle is measured on the chord over this share of hatch_taper, since in the end all lines touch the contour.
-    // Larger: lines that bend count as crossing.
+    // The angle between a line and a contour is measured over this share of `hatch_taper`, because every line becomes
+    // tangent to the contour at its end. Larger: lines that bend count as crossing.
     float chord_share = 0.5F;
-    // The first point from a tip is at most this wide, in pens. Larger: blunter tips of wide lines.
+    // The width of the first point after a tip is at most this, in pens. Larger: blunter tips of wide lines.
     float widest_tip = 0.1F;
 
     // ---- Points
@@ -98,8 +98,8 @@ struct HatchTuning {
     float tip_reach = 2.5F;
     // At most this many consecutive points are left out. Larger: opacities and ids are less exact.
     std::int64_t most_left_out = 6;
-    // A point is left out if its place differs by less than `place_tolerance` from the line between its neighbours, and
-    // its radius by less than `radius_tolerance`, in pixels. Larger: fewer points, corners show.
+    // A point is left out if its distance from the line between its neighbours is below `straight`, and the difference
+    // of its radius is below `radius_tolerance`, in pixels. Larger: fewer points, corners show.
     float place_tolerance = 0.05F;
     float radius_tolerance = 0.006F;
 
@@ -110,9 +110,9 @@ struct HatchTuning {
     // are closed, also spirals.
     float closed_gap = 1.5F;
     float closed_cosine = 0.8F;
-    // Ends that are nearer to each other than this are one mark, in steps. Larger: a mark is lost.
+    // Two ends closer than this count as one mark, in mean distances of marks. Larger: a mark is lost.
     float same_mark = 0.1F;
-    std::int64_t fewest_of_closed = 4; // a closed stroke has at least this many marks
+    std::int64_t fewest_of_closed = 4; // the smallest number of marks of a closed stroke
 
     // ---- An unsteady hand
 
@@ -129,27 +129,28 @@ struct HatchTuning {
     // An edge is before a line if it is nearer to the eye by more than this, in pixels. Larger: creases of the line's
     // own surface hide less, and so do surfaces just before it.
     float least_depth_gap = 1.0F;
-    // Edges that are nearer by this many times halo_gap have their full halo. Larger: halos grow more slowly.
+    // An edge has its full halo if it is nearer than the line by this many times `halo_gap`. Larger: halos grow more
+    // slowly.
     float full_halo = 3.0F;
-    // Without a halo a line ends this far before an edge, in pixels.
+    // If the halo has no width, a line ends this far before an edge, in pixels.
     float edge_gap = 0.05F;
-    // Halos are exact up to this width, in pixels; beyond, they are left as depth layers made them. Larger: slower.
+    // Halos up to this width, in pixels, are exact. Wider halos stay as depth layers made them. Larger: slower.
     float widest_halo = 32.0F;
-    // If a line, continued, would cross an edge within this distance, in pixels, their depths are compared there.
-    // Otherwise surfaces may be as steep as `steepest_slope`, depth over pixels. Larger: fewer edges before a slanted
+    // If an extended line crosses an edge within this distance, in pixels, the depths are compared at the crossing.
+    // Otherwise, surfaces may be as steep as `steepest`, in depth over pixels. Larger: fewer edges before a slanted
     // surface.
     float farthest_crossing = 24.0F;
     float steepest_slope = 6.0F;
-    // A line whose angle with an edge has at most the cosine `across_cosine` ends bluntly there. From the cosine
-    // `along_cosine` on, the line is narrowed so that it does not reach over the edge.
+    // If the cosine of the angle between a line and an edge is at most `across_cosine`, the line has a blunt end there.
+    // If it is at least `along_cosine`, the line is narrowed so that it does not cover the edge.
     float across_cosine = 0.25F;
     float along_cosine = 0.5F;
-    // The search for edges begins at least this many samples before the last one that is seen, and farther back until
-    // no edge is within `edge_reach` pixels. Larger: slower.
+    // The search for edges begins at least this many samples before the last sample that is seen. It begins farther
+    // back if an edge is within `edge_reach` pixels. Larger: slower.
     std::int64_t samples_back = 2;
     float edge_reach = 1.5F;
-    // Samples may be hidden by mistake within a splat's radius and this of an edge, in pixels, but not beyond
-    // `farthest_hidden`. Larger: more hidden samples are tested again.
+    // A sample may be wrongly hidden if its distance from an edge is below a splat's radius plus this, in pixels, but
+    // not if it is above `farthest_hidden`. Larger: more hidden samples are tested again.
     float splat_margin = 1.0F;
     float farthest_hidden = 24.0F;
 };

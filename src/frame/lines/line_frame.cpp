@@ -52,8 +52,8 @@ void add_counts(const visibility::Invisibility& found, const TracedLines& traced
     counts.tangles = found.report.crossings.tangles;
 }
 
-// An item that has lines, and its subjects. Its contours begin at `contours`, and its creases that are contours are at
-// `folds`. Its border goes from `border` to `end`.
+// An item with lines, and the numbers of its subjects. Its contours begin at `contours`, its creases that are contours
+// are at `folds`, and its border is from `border` to `end`.
 struct LineSource {
     const Item& item;
     curves::View view;
@@ -176,7 +176,7 @@ std::unique_ptr<Contours> find_contours(const base::Work& work, const curves::Li
     return contours;
 }
 
-// Traces the contours of an item. Contours of a sheet end at the sheet's creases.
+// Traces the contours of an item. On a sheet, contours end at the creases of the sheet.
 void trace_contours(const base::Work& work, const LineSource& source, ContourList& last, TracedLines& out) {
     const curves::LineSet& lines = source.lines();
     for (std::int64_t p = 0; p < std::max<std::int64_t>(1, lines.parts().size()); ++p) {
@@ -192,7 +192,7 @@ void trace_contours(const base::Work& work, const LineSource& source, ContourLis
     }
 }
 
-// Adds the creases that are contours: the surface turns over where only one sheet of a crease faces the eye.
+// Adds the creases that are contours: one of the two sheets faces the eye, and the other faces away.
 void add_contour_creases(const base::Runtime& runtime, LineSource& source, TracedLines& out) {
     const curves::LineSet& lines = source.lines();
     if (lines.creases().count() == 0) return;
@@ -207,7 +207,7 @@ void add_contour_creases(const base::Runtime& runtime, LineSource& source, Trace
     subject.clearance = visibility::visibility_tuning.crease_clearance;
 }
 
-// Adds lines on the surface, cut where they turn away from the eye. `sheets` is Subject::sheet_change.
+// Adds lines on the surface, divided where they turn away from the eye. `sheets` is Subject::sheets.
 void add_lines(const base::Runtime& runtime, const LineSource& source, const curves::SurfaceLines& lines,
                const LineStyle* style, std::uint32_t layer, std::int32_t sheets, TracedLines& out) {
     HRBFNPR_ASSERT(style != nullptr || sheets > 0);
@@ -227,8 +227,8 @@ void add_lines(const base::Runtime& runtime, const LineSource& source, const cur
     }
 }
 
-// Adds the border of an item. A surface hides other things only up to its border, so the border is needed even where it
-// is not drawn.
+// Adds the border of an item. It is needed even if it is not drawn, because a surface hides other things only up to its
+// border.
 void add_border(const base::Runtime& runtime, LineSource& source, TracedLines& out) {
     const curves::LineSet& lines = source.lines();
     source.border = static_cast<std::int32_t>(out.subjects.size());
@@ -238,7 +238,7 @@ void add_border(const base::Runtime& runtime, LineSource& source, TracedLines& o
     for (std::int32_t s = source.border; s < source.end; ++s) out.subjects[s].level = lines.border_level();
 }
 
-// Adds the creases that are not contours. If no style of the item draws contours, it adds the other creases as well.
+// Adds the creases that are not contours. If no style of the item draws contours, adds all creases.
 void add_other_creases(const base::Runtime& runtime, const LineSource& source, const LineStyle& style,
                        std::uint32_t layer, TracedLines& out) {
     HRBFNPR_ASSERT(source.creases != nullptr);
@@ -267,8 +267,8 @@ void add_other_creases(const base::Runtime& runtime, const LineSource& source, c
     out.styles.back().cut = true;
 }
 
-// Adds feature lines by interpolation on the mesh, which is enough to draw. `towards` is the eye or, for isophotes, the
-// light.
+// Adds feature lines, interpolated on the mesh, which is exact enough for drawing. `towards` is the eye or, for
+// isophotes, the light.
 void add_features(const base::Work& work, const LineSource& source, const LineStyle& style, std::uint32_t layer,
                   const glm::dvec4& towards, TracedLines& out) {
     curves::FeatureRequest request;

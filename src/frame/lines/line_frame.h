@@ -48,8 +48,8 @@ struct KnownLines {
         glm::dvec3 origin; // The place where the line's first piece began when the line was new, or a place near it.
     };
     base::Array<KnownLine> line;
-    geometry::VecArray place, direction; // some points of the lines, and the directions there
-    std::uint32_t number = 0;            // the last number that was given
+    geometry::VecArray place, direction; // some points of each line, and the directions of the line there
+    std::uint32_t number = 0;            // the last number used
 };
 
 class LineFrame {

@@ -9,7 +9,7 @@
 
 namespace hrbfnpr::frame {
 
-// Lines of a subject that are drawn in a layer of the drawing.
+// The lines of a subject that one layer of the drawing shows.
 struct DrawnSubject {
     const LineStyle* style;
     std::int32_t subject;
@@ -28,10 +28,11 @@ struct TracedLines {
 
     base::Array<visibility::Subject> subjects;
     base::Array<visibility::Occluder> occluders;
-    base::Array<std::int32_t> items; // the number of each occluder's item in the drawing
+    base::Array<std::int32_t> items; // for each occluder: the number of its item in the drawing
     base::Array<DrawnSubject> styles;
-    std::int64_t broken = 0; // contours that end inside the surface, and places where one was missed
-    // Subjects and styles refer to these.
+    // The number of contours that end inside the surface, plus the number of places where a contour was missed.
+    std::int64_t broken = 0;
+    // The contours, to which subjects and styles refer.
     ContourList contours;
     base::List<std::unique_ptr<curves::ContourLevel>> levels;
     base::List<std::unique_ptr<curves::SurfaceLines>> lines;

@@ -23,30 +23,30 @@
 namespace hrbfnpr::frame {
 namespace {
 
-// A part of a line that the same number of surface layers hides everywhere.
+// A part of a line that is hidden by the same number of surface layers everywhere.
 struct LinePart {
-    visibility::Interval interval; // its `invisibility` is not used
-    std::int32_t layers;           // number of surface layers before it; each is two sheets
-    // The end is free because no other part continues there: at cusps, and at ends of open lines.
+    visibility::Interval interval; // The interval of the line. Its member `sheets` is not used.
+    std::int32_t layers;           // The number of surface layers that hide it. Each layer is two sheets.
+    // True if no other part continues at the end, as at cusps and at the ends of open lines.
     bool free_begin, free_end;
 };
 
 // A place along a line.
 struct StrokePlace {
-    double at; // along the line, pixels
+    double at; // distance along the line, in pixels
     std::int32_t piece;
     double share;
 };
 
-// A part in a style, with places and knots along it.
+// A part drawn in a style, with places and knots along it.
 struct PartPath {
     const DrawnSubject& drawn;
     const LinePart& part;
     base::Array<StrokePlace> place;
-    base::Array<double> knot; // where the part has points between its places, in order
+    base::Array<double> knot; // The distances of further points between the places, in order.
 };
 
-// A range of shares of the way from one place to the next; it is empty if low > high.
+// A range on the way from one place to the next, as shares of the way. It is empty if low > high.
 struct ShareRange {
     double low, high;
 };
@@ -59,7 +59,7 @@ float strength_at(const DrawnSubject& drawn, const visibility::Piece& piece, flo
     return (1.0F - share) * drawn.strength[piece.a] + share * drawn.strength[piece.b];
 }
 
-// The opacity of a line at a place, from its strength there.
+// Returns the opacity of a line at a place, by its strength there.
 float opacity_at(const DrawnSubject& drawn, const visibility::Piece& piece, float share) noexcept {
     if (drawn.strength == nullptr || !(drawn.upper > drawn.lower)) return 1.0F;
     const float full =
@@ -72,7 +72,7 @@ struct DepthRange {
     double farthest = -std::numeric_limits<double>::infinity();
 };
 
-// A factor that changes evenly from 1, where the share is 0, to `factor`, where it is 1.
+// Returns a factor that changes linearly from 1, for the share 0, to `factor`, for the share 1.
 double scaled_factor(float factor, double share) noexcept {
     return glm::mix(1.0, static_cast<double>(factor), std::clamp(share, 0.0, 1.0));
 }
@@ -85,7 +85,7 @@ double fade_length(const DrawnSubject& drawn) noexcept {
     return line_tuning.fade_widths * static_cast<double>(drawn.style->width);
 }
 
-// Whether a style has another width along the outline.
+// Returns whether a style has a different width along the outline.
 bool has_outline_factor(const DrawnSubject& drawn) noexcept {
     return drawn.style->outline_factor != 1.0F &&
            (drawn.style->kind == LineKind::contour || drawn.style->kind == LineKind::border);
@@ -241,9 +241,9 @@ visibility::Outline find_widths(const LineInput& in, const drawing::Drawing& dra
 struct StrokeInput : LineInput {
     const visibility::Outline& outline;
 
-    // The length of a closed line, pixels; 0 for an open one.
+    // Returns the length of a closed line in pixels, or 0 for an open line.
     [[nodiscard]] double closed_length(std::int32_t l) const noexcept { return line(l).closed ? total(l) : 0.0; }
-    // Whether a part is all of a closed line.
+    // Returns whether a part is a whole closed line.
     [[nodiscard]] bool is_whole(const LinePart& part) const noexcept {
         return line(part.interval.line).closed && !part.free_begin && !part.free_end &&
                length_of(part.interval) >= total(part.interval.line);
@@ -259,13 +259,13 @@ std::span<const visibility::OutlinePart> outline_of(const visibility::Outline& o
     return {first, end};
 }
 
-// The longest chord of a line where the line's width changes, pixels.
+// Returns the longest chord, in pixels, where the width of a line changes.
 double longest_chord(const DrawnSubject& drawn) noexcept {
     return has_outline_factor(drawn) ? fade_length(drawn) / line_tuning.fade_steps
                                      : std::numeric_limits<double>::infinity();
 }
 
-// The factor of the width at a place along a line, apart from the factors of its points.
+// Returns the factor of the width at a place along a line, without the factors of its points.
 double outline_factor_at(const StrokeInput& in, const DrawnSubject& drawn, std::int32_t line, double at) noexcept {
     if (!has_outline_factor(drawn)) return 1.0;
     const std::span<const visibility::OutlinePart> parts = outline_of(in.outline, line);
@@ -276,12 +276,12 @@ double outline_factor_at(const StrokeInput& in, const DrawnSubject& drawn, std::
         if (next != parts.end()) nearest = std::min(nearest, next->begin_at - here);
         if (next != parts.begin()) nearest = std::min(nearest, std::max(0.0, here - std::prev(next)->end_at));
     }
-    // Falls from 1 to 0, with slope 0 at either end.
+    // This value falls from 1 to 0, with the slope 0 at both ends.
     const double u = std::clamp(1.0 - nearest / fade_length(drawn), 0.0, 1.0);
     return scaled_factor(drawn.style->outline_factor, u * u * (3.0 - 2.0 * u));
 }
 
-// Whether that factor changes between two places along a line.
+// Returns whether the factor of the width changes between two places along a line.
 bool outline_factor_changes(const StrokeInput& in, const DrawnSubject& drawn, std::int32_t line, double from,
                             double to) noexcept {
     HRBFNPR_ASSERT(!(from > to));
@@ -314,9 +314,9 @@ public:
         knot_distance_ = whole / knots;
         knots_ = static_cast<std::int64_t>(knots);
     }
-    // How far the line moves to the left at a place along it, pixels.
+    // Returns how far the line moves to the left at a place along it, in pixels.
     [[nodiscard]] double aside(double at) const noexcept { return offset_ * noise(at, 0); }
-    // The factor of the width at a place along the line.
+    // Returns the factor of the width at a place along the line.
     [[nodiscard]] double factor(double at) const noexcept { return 1.0 + width_ * noise(at, 1); }
     // Returns the longest chord, in pixels, that follows the wobble closely enough.
     [[nodiscard]] double step() const noexcept {
@@ -343,9 +343,9 @@ private:
     }
 
     double offset_, width_;
-    double knot_distance_;      // distance between knots, pixels
-    std::int64_t knots_ = 0;    // number of knots around a closed line; 0: it is open
-    std::uint64_t seed_, line_; // the seeds of the random numbers
+    double knot_distance_;      // the distance between knots, in pixels
+    std::int64_t knots_ = 0;    // the number of knots around a closed line; 0 for an open line
+    std::uint64_t seed_, line_; // the seeds for random numbers
 };
 
 Wobble wobble_of(const StrokeInput& in, const DrawnSubject& drawn, std::int32_t line) noexcept {
@@ -354,7 +354,7 @@ Wobble wobble_of(const StrokeInput& in, const DrawnSubject& drawn, std::int32_t 
 
 // ---- Parts
 
-// Whether a place of the image is near a place of a grid, except the place with the number `except`.
+// Returns whether a place of the image is near a place in a grid, other than the place with the number `but`.
 bool is_near(const geometry::PointGrid& grid, const geometry::VecArray& places, const glm::dvec2& place, double radius,
              std::int64_t except) {
     bool found = false;
@@ -446,7 +446,8 @@ base::Array<std::uint8_t> find_joined(base::Memory& memory, const LineInput& in,
             ends.push_back(2 * std::int64_t{number} + at_end);
         }
     }
-    const double radius = std::max(1e-6, line_tuning.same_end_distance * width); // above 0 even if pens have no width
+    // A radius of 0 is avoided, for pens without width.
+    const double radius = std::max(1e-6, line_tuning.same_end_distance * width);
     const geometry::PointGrid grid(seen, radius);
     base::Array<std::uint8_t> goes_on(memory, 2 * in.found.lines.lines.size());
     std::fill(goes_on.begin(), goes_on.end(), std::uint8_t{1});
@@ -495,7 +496,7 @@ void parts_of(const StrokeInput& in, std::int64_t first, std::int64_t end, const
     }
 }
 
-// Finds the points of the image along a part, with its ends.
+// Finds the points of the image along a part, including its ends.
 void places_of(const StrokeInput& in, const LinePart& part, base::Array<StrokePlace>& places) {
     const visibility::Interval& its = part.interval;
     const visibility::Line& line = in.line(its.line);
@@ -527,12 +528,12 @@ glm::dvec2 seen_at(const StrokeInput& in, const StrokePlace& place) {
         .place;
 }
 
-// The factor of a style's width at a place, from the curve's points on either side.
+// Returns the factor of a style's width at a place, interpolated between the points of the curve on either side.
 float factor_at(const DrawnSubject& drawn, const visibility::Piece& piece, float share) noexcept {
     return drawn.factor == nullptr ? 1.0F : (1.0F - share) * drawn.factor[piece.a] + share * drawn.factor[piece.b];
 }
 
-// Makes a point at a place. Its radius is still a factor of the style's width.
+// Makes a point at a place. Its radius is only a factor of the style's width yet.
 drawing::StrokePoint point_at(const StrokeInput& in, const DrawnSubject& drawn, const StrokePlace& place) {
     const visibility::Piece& piece = in.piece(place.piece);
     const visibility::Subject& subject = in.found.subjects[piece.subject];
@@ -550,7 +551,8 @@ drawing::StrokePoint point_at(const StrokeInput& in, const DrawnSubject& drawn, 
     return point;
 }
 
-// The same on the chord from a place to the next. It uses double, since a chord may begin far outside of the window.
+// Makes a point on the chord between two consecutive places. It computes in double, because a chord may begin far
+// outside the window.
 drawing::StrokePoint point_between(const StrokeInput& in, const PartPath& path, std::int64_t i, double at) {
     HRBFNPR_ASSERT(i >= 0 && i + 1 < path.place.size());
     const double span = path.place[i + 1].at - path.place[i].at;
@@ -568,7 +570,8 @@ drawing::StrokePoint point_between(const StrokeInput& in, const PartPath& path, 
     return point;
 }
 
-// The shares of the chord from a place to the next that are in the window, or at most `beside` pixels outside of it.
+// Returns the range of shares of the chord between two consecutive places that is in the window, or at most `beside`
+// pixels outside.
 ShareRange in_window(const StrokeInput& in, const StrokePlace& from, const StrokePlace& to, double beside) {
     const glm::dvec2 a = seen_at(in, from);
     const glm::dvec2 b = seen_at(in, to);
@@ -588,8 +591,8 @@ ShareRange in_window(const StrokeInput& in, const StrokePlace& from, const Strok
     return shares;
 }
 
-// Finds knots between the places of a part, so that widths and opacities change evenly from one to the next. Chords
-// that are not seen need no knots.
+// Finds knots between the places of a part. Between knots, widths and opacities change linearly. Chords outside the
+// window need no knots.
 void knots_of(const StrokeInput& in, PartPath& path) {
     path.knot.clear();
     const DrawnSubject& drawn = path.drawn;
@@ -616,9 +619,9 @@ void knots_of(const StrokeInput& in, PartPath& path) {
 
 // ---- Strokes
 
-// Moves the points of a stroke across the line. The direction of the line at a point is the mean of the chords on
-// either side. The noise stays in place on a line from frame to frame, wherever the line begins. `at` holds the places
-// of the points along the line, pixels.
+// Moves the points of a stroke sideways by noise. The direction of the line at a point is the mean of the two adjacent
+// chords. From frame to frame, the noise stays in place on the line, wherever the line begins. `at` has the distances
+// of the points along the line, in pixels.
 void wobble(const StrokeInput& in, const PartPath& path, bool closed, const base::Array<double>& at,
             std::span<drawing::StrokePoint> points) {
     HRBFNPR_ASSERT(points.size() > 1 && static_cast<std::size_t>(at.size()) == points.size());
@@ -644,8 +647,8 @@ void wobble(const StrokeInput& in, const PartPath& path, bool closed, const base
     }
 }
 
-// Adds a stroke along a part, from one place along its line to another. Free ends taper by half an ellipse; a short
-// part with a free end, as between a cusp and a line beside it, would be a bead, and is thinner.
+// Adds a stroke along a part, between two distances along its line. Free ends taper by half an ellipse. A short part
+// with a free end, for example between a cusp and a nearby line, is made thinner, because it would look like a bead.
 void add_stroke(const StrokeInput& in, const PartPath& path, double from, double to, LineStrokes& out) {
     const DrawnSubject& drawn = path.drawn;
     const LinePart& part = path.part;
@@ -716,7 +719,7 @@ void add_stroke(const StrokeInput& in, const PartPath& path, double from, double
     out.strokes.push_back(stroke);
 }
 
-// Adds strokes from one place along a part to another, except where the line is too weak.
+// Adds strokes between two distances along a part, except where the line is too weak.
 void add_strong_parts(const StrokeInput& in, const PartPath& path, double from, double to, LineStrokes& out) {
     if (!path.drawn.cut) return add_stroke(in, path, from, to, out);
     const base::Array<StrokePlace>& place = path.place;
@@ -724,7 +727,7 @@ void add_strong_parts(const StrokeInput& in, const PartPath& path, double from, 
         return static_cast<double>(
             strength_at(path.drawn, in.piece(place[i].piece), static_cast<float>(place[i].share)) - path.drawn.lower);
     };
-    double begin = from; // where the current strong or weak stretch begins, pixels along the line
+    double begin = from; // the distance at which the current strong or weak stretch begins, in pixels
     HRBFNPR_ASSERT(path.drawn.strength != nullptr);
     bool strong = strength(0) >= 0.0;
     for (std::int64_t i = 1; i < place.size() && place[i - 1].at < to; ++i) {
@@ -739,8 +742,8 @@ void add_strong_parts(const StrokeInput& in, const PartPath& path, double from, 
     if (strong && to > begin) add_stroke(in, path, begin, to, out);
 }
 
-// Adds only the dashes that are seen, since a line that passes beside the eye may be immensely long. The more layers
-// lie before the line, the shorter its dashes are.
+// Adds dashes. Dashes outside the window are skipped, because a line that passes beside the eye may be immensely long.
+// The more layers hide the line, the shorter are its dashes.
 void add_dashes(const StrokeInput& in, const PartPath& path, LineStrokes& out) {
     const double begin = path.part.interval.begin_at;
     const double whole = length_of(path.part.interval);
@@ -765,8 +768,8 @@ void add_dashes(const StrokeInput& in, const PartPath& path, LineStrokes& out) {
     }
 }
 
-// The distance between the end of a part and the middle of the nearer line that crosses there: the halo and half of the
-// width of each line.
+// Returns the distance between the end of a part and the middle of the nearer line that crosses there: the halo plus
+// half of both line widths.
 double gap_at(const StrokeInput& in, const DrawnSubject& drawn, std::int32_t line, const StrokePlace& end,
               float sine) noexcept {
     HRBFNPR_ASSERT(end.share >= 0.0 && end.share <= 1.0);
@@ -804,13 +807,12 @@ void draw(const StrokeInput& in, PartPath& path, LineStrokes& out) {
     if (hidden && style.hidden == HiddenParts::none) return;
     double begin = its.begin_at;
     double end = its.end_at;
-    // A visible line ends before a nearer line that crosses it, rather than under that line, where its end would be
-    // seen.
+    // A visible line ends before a nearer line that crosses it. If it ended under that line, its end would show.
     if (!hidden && drawn.halo > 0.0F && !in.is_whole(part)) {
         begin += gap_at(in, drawn, its.line, {its.begin_at, its.begin_piece, its.begin_share}, its.begin_sine);
         end -= gap_at(in, drawn, its.line, {its.end_at, its.end_piece, its.end_share}, its.end_sine);
     }
-    // A short visible part between hidden parts would be a dot, so it is left out.
+    // A short visible part between hidden parts is left out, because it would be a dot.
     const bool is_dot = !hidden && length_of(its) < line_tuning.shortest_dot * static_cast<double>(style.width) &&
                         length_of(its) < in.total(its.line);
     if (!(end > begin) || is_dot) return;

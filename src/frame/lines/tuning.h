@@ -16,20 +16,20 @@ struct LineTuning {
     // The tolerance for tracing contours from the contours of the last frame, in mesh sides. The next frame starts from
     // the result. After a Newton step as long as this, the error is a millionth of a mesh side.
     double moved_tolerance = 1e-3;
-    // Lines of the caller's own may lie this deep inside the surface, in sides of the mesh. Larger: surface just before
-    // such lines does not hide them.
+    // The caller's own lines may be this deep inside the surface, in mesh sides. Larger: surface just before such lines
+    // does not hide them.
     double caller_line_clearance = 1.0;
-    // Feature lines shorter than this are noise, in diagonals of the model.
+    // Shorter feature lines are noise, in diagonals of the model.
     double shortest_feature = 0.01;
     // The number of refinement rounds of apparent ridges.
     int ridge_rounds = 2;
-    // If the eye is farther away than this, in diagonals, lines of sight count as parallel. Contours are the same then,
-    // to all digits that they are found to.
+    // If the eye is farther away than this, in diagonals, lines of sight count as parallel. The resulting contours are
+    // the same to the last digit.
     double parallel_distance = 1e9;
-    // The camera of models with creases moves by this share of the scene's radius, so that no face is seen exactly
+    // For models with creases, the camera is moved by this share of the scene's radius, so that no face is seen exactly
     // edge-on. Larger: lines move visibly.
     double camera_offset = 2e-5;
-    // This share of that move goes to one side, at an angle that a plane of symmetry is unlikely to have.
+    // This share of the camera's move is to one side, at an angle that is unlikely to be in a plane of symmetry.
     double sideways_share = 0.05;
     double sideways_angle = 0.9;
 
@@ -40,30 +40,29 @@ struct LineTuning {
     int most_points = 16;
     // One in this many points of a line is kept for the next frame.
     int points_per_kept = 4;
-    // A contour moves by at most this on its surface between frames, in sides of the mesh. Larger: lines take the
-    // numbers of other lines.
+    // A contour keeps its number if it moves on its surface by at most this many mesh sides between two frames. Larger:
+    // lines take the numbers of other lines.
     double farthest_numbered_move = 3.0;
 
     // ---- Parts
 
-    // A part shorter than this belongs to the part before it, in pixels, since a gap would be seen. Larger: lines are
-    // drawn through narrow things that hide them.
+    // A part shorter than this, in pixels, is joined with the part before it, because a gap would show. Larger: lines
+    // are drawn through narrow things that hide them.
     double shortest_part = 0.35;
-    // A visible part between hidden ones that is shorter than this many widths is left out. Larger: fewer dots.
+    // A visible part between hidden parts is left out if it is shorter than this many widths. Larger: fewer dots.
     double shortest_dot = 0.5;
-    // A hidden part of a contour is drawn if it is shorter than `longest_hugging` widths of the widest lines, and if
-    // all of it, tested every `hugging_distance` widths, is within `hugging_distance` widths of a contour that is seen.
-    // A face that is seen edge-on is not quite flat where it is fitted, and bulges a tenth of a pixel high hide some of
-    // its edge. Larger: more hidden parts are drawn.
+    // A hidden part of a contour is drawn under two conditions: it is shorter than `longest_hugging` widths of the
+    // widest lines, and everywhere within `beside` widths of a visible contour, tested every `beside` widths. Fitted
+    // faces are not quite flat: seen edge-on, bulges a tenth of a pixel high hide some of their edges. Larger: more
+    // hidden parts are drawn.
     double longest_hugging = 5.0;
     double hugging_distance = 0.3;
-    // Ends of lines that are nearer to each other than this many widths are one end. Sheets that nearly coincide have
-    // such ends.
+    // Ends of lines closer than this many widths are one end. Close ends occur where two sheets nearly coincide.
     double same_end_distance = 0.4;
-    // A line that is less opaque than this does not continue another line.
+    // A line with less opacity than this does not continue another line.
     float least_opacity = 0.5F;
-    // A line that runs into a nearer line joins it. If it crosses the nearer line at an angle with a sine above
-    // `joining_sine`, it ends before that line, with the full gap from the sine `full_gap_sine` on.
+    // A line that runs into a nearer line joins it. But if the sine of their angle is above `joins`, it ends before
+    // that line. From the sine `full_gap_sine` on, it leaves the full gap.
     double joining_sine = 0.35;
     double full_gap_sine = 0.6;
 

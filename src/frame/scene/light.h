@@ -23,7 +23,7 @@
 
 namespace hrbfnpr::frame {
 
-// n . l of a unit normal. The function of projection_loops.cpp gives the same bits.
+// Returns n . l for a unit normal. The function in see_loops.cpp gives the same bits.
 [[nodiscard]] inline float lit(const Light& light, const glm::vec3& n) noexcept {
     const auto dot = [](const float(&row)[3], const glm::vec3& v) {
         return row[0] * v.x + row[1] * v.y + row[2] * v.z;

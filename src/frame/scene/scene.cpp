@@ -251,7 +251,7 @@ void add_runs(Scene& scene, const Item& item, std::int32_t number, std::int64_t 
 
 // ---- Poses and other sides
 
-// Checks a pose of an item, and copies it into the drawing.
+// Checks a pose of an item, and copies it to the drawing.
 void read_pose(const Item& item, std::int64_t number, std::int64_t pose_number, drawing::Drawing& drawing) {
     const Pose& pose = item.poses[static_cast<std::size_t>(pose_number)];
     const auto refuse = [&](const char* why) {
@@ -318,7 +318,7 @@ void pose_runs(Scene& scene, const drawing::Drawing& drawing) {
     }
 }
 
-// Gives the runs of the other sides opposite normals. Poses may have moved their marks.
+// Gives the runs of the other sides opposite normals. The marks may have been moved by poses.
 void add_turned_runs(Scene& scene) {
     std::int64_t marks = 0;
     for (const Run& run : scene.runs) marks += run.turned ? run.count : 0;
@@ -493,11 +493,11 @@ struct Range {
     return {middle > -spread.cosine ? both - side : -1.0F, middle < spread.cosine ? both + side : 1.0F};
 }
 
-// Where a ball lies. The ball surely lies farther than `beyond` outside of a side of the picture, in pixels times w;
-// `beyond` is infinite if the ball lies outside of the range of depths.
+// The position of a ball relative to the picture. The ball is certainly more than `beyond` outside a side of the
+// picture, in pixels times w. `beyond` is infinite if the ball is outside the range of depths.
 struct FrustumSides {
     float beyond = -infinite_distance;
-    bool inside = true; // the ball surely lies in the picture
+    bool inside = true; // True if the ball is certainly in the picture.
 };
 
 [[nodiscard]] FrustumSides frustum_sides_of(const glm::vec4& eye, float radius, const Frustum& frustum) noexcept {
@@ -534,7 +534,7 @@ ItemSight sight_of(const ItemView& item, const Lens& lens, const Frustum& frustu
     sight.eye = sight.view_transform.parallel ? glm::vec3(glm::normalize(back * centre))
                                               : glm::vec3(back * (centre - glm::dvec3(item.eye_offset)));
     if (!(off <= scene_tuning.angle_tolerance * mean)) return sight;
-    // Normals keep their lengths, and the direction of the light is taken to their space.
+    // The direction of the light is transformed to the space of the normals, so normals keep their lengths.
     set_rows(sight.view_transform.normal,
              item.normal_to_eye / std::cbrt(std::abs(glm::determinant(item.normal_to_eye))));
     Light& light = sight.view_transform.light;

@@ -58,10 +58,10 @@ struct Item {
 
 // ---- How it is seen
 
-// Sizes and opacities of the discs of one group of marks, as functions of the place on the screen. All lengths are in
-// pixels; `pixels_per_unit` is pixels per eye unit at the mark.
+// The sizes and opacities of the discs of a group of marks, as functions of the place on the screen. All lengths are in
+// pixels. `pixels_per_unit` is the number of pixels per eye unit at the mark.
 struct DiscSizes {
-    const Style* style = nullptr; // the caller keeps both
+    const Style* style = nullptr; // The caller owns the style and the layer style.
     const LayerStyle* layer = nullptr;
     float spacing = 0.0F;     // the square root of the surface area that a mark represents, in eye units
     float separation = 0.0F;  // the distance between neighbouring strokes of the group, in eye units; 0: not known
@@ -130,8 +130,8 @@ struct Run {
     const marks::Layer* marks = nullptr;
     const LayerStyle* style = nullptr;
     DiscSizes discs;
-    // Three numbers for each mark; positions are relative to the set's origin. The arrays belong to the layer, to the
-    // item's pose, or to the other side.
+    // Three numbers for each mark. Positions are relative to the origin of the set. The arrays belong to the layer, to
+    // the item's pose, or to the run of the other side.
     const float* position = nullptr;
     const float* normal = nullptr;
     const float* posed_direction = nullptr; // NULL if the pose has no directions
@@ -251,11 +251,12 @@ private:
 
 // An item as seen in its own coordinates.
 struct ItemSight {
-    ViewTransform view_transform; // `rigid` if the transform keeps angles, so that cones of normals stay cones
-    float scale = 1.0F;           // the largest number of eye units per object unit
-    bool inside = false;          // the whole item surely lies in the picture
-    glm::vec3 eye{0.0F};          // centre of projection, object space; or the unit direction of all lines of sight
-    glm::vec3 light{0.0F};        // unit, object space, if the transform is rigid
+    ViewTransform
+        view_transform;    // `seer.rigid` is true if the transform keeps angles. Cones of normals then stay cones.
+    float scale = 1.0F;    // the largest length in eye units of a unit of the object
+    bool inside = false;   // true if the whole item is certainly in the picture
+    glm::vec3 eye{0.0F};   // in object space: the centre of projection, or the unit direction of all lines of sight
+    glm::vec3 light{0.0F}; // unit vector in object space, if the transform is rigid
 };
 
 // The sides of the frustum in eye space. Inside, plane . (eye, 1) >= 0.

@@ -132,7 +132,7 @@ struct SurfaceParts {
 
 // ---- From the surface
 
-// Returns places on the surface, evenly spread over its area. A place whose projection fails stays on its triangle.
+// Returns places on the surface, spread evenly over its area. If a projection fails, the place stays on its triangle.
 [[nodiscard]] SurfacePlaces sample_surface(const CompareTask& task, const curves::SurfaceMesh& surface,
                                            const base::Progress& progress) {
     SurfacePlaces places(task.work.memory);
@@ -179,8 +179,8 @@ void measure_surface(const CompareTask& task, const Mesh& mesh, const curves::Su
 
 // ---- From the mesh
 
-// Uses the smaller of two distances: a projection may end farther away than the nearest place, and the triangles are
-// off the surface by their bulge.
+// Measures two distances and uses the smaller one. The projection may end beyond the nearest place, and the triangles
+// are chords of the surface.
 void measure_mesh(const CompareTask& task, const curves::SurfaceMesh& surface, const MeshSamples& samples, double far,
                   Comparison& result) {
     const surface::Projection on = projected(task, samples.position, mesh_fit_tuning.mesh_evaluations,

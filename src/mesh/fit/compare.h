@@ -21,7 +21,7 @@ struct CompareSettings {
     std::uint64_t seed = 1;
 };
 
-// A summary of distances. Without distances all members but `points` are NaN.
+// A summary of distances. If there are no distances, all members except `points` are NaN.
 struct DistanceStatistics {
     std::int64_t points = 0;
     double mean = std::numeric_limits<double>::quiet_NaN();
@@ -38,8 +38,8 @@ struct DistanceStatistics {
 };
 
 struct Comparison {
-    DistanceStatistics surface; // distances of places on the surface from the mesh
-    DistanceStatistics mesh;    // distances of places on the mesh from the surface
+    DistanceStatistics surface; // distances from places on the surface to the mesh
+    DistanceStatistics mesh;    // distances from places on the mesh to the surface
     double left_out = 0.0;
     double normal_mean = std::numeric_limits<double>::quiet_NaN(); // in degrees
     double normal_p99 = std::numeric_limits<double>::quiet_NaN();
@@ -56,7 +56,7 @@ inline constexpr double cells_a_diagonal = 128.0;
 
 // Returns the box around a mesh in which the surface is searched for.
 [[nodiscard]] geometry::Bounds search_region(const Mesh& mesh) noexcept;
-// Reorders `distance`.
+// Summarizes distances. The call reorders `distance`.
 [[nodiscard]] DistanceStatistics statistics_of(base::Array<double>& distance, double tolerance, double far);
 
 struct SurfaceSearch {

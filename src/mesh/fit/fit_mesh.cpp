@@ -56,7 +56,7 @@ public:
     FitField(base::InstructionSet set, const implicit::HrbfData& data, double precision) noexcept
         : data_(data), plain_(set, data), precision_(precision) {}
 
-    // Is called before evaluations at this many places. Prepares a far field if that takes less time.
+    // Must be called before evaluations at this many places. Prepares a far field if that saves time.
     void prepare_for(const base::Work& work, std::int64_t places);
 
     [[nodiscard]] const implicit::Implicit& operator*() const noexcept {
@@ -160,8 +160,8 @@ base::Array<double> distances_of_candidates(const Task& task, const fit::Samples
     return distance;
 }
 
-// Measures the distances of other places of the mesh from the surface itself. The distances of candidates are
-// first-order estimates only.
+// Measures the distances from other places of the mesh to the surface. For candidates only first-order estimates are
+// known.
 DistanceStatistics verify(const Task& task, const implicit::HrbfData& data, const FitMeshReport& report) {
     const auto& [work, mesh, tree, settings, outer] = task;
     MeshSamples samples = random_samples(work, mesh, fit_mesh_tuning.verified_places, settings.seed, 2);
@@ -281,7 +281,8 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
     std::int32_t idle = 0; // the number of consecutive rounds without a gain
     double input_distance_rms = 0.0;
 
-    // Measures the whole surface, and adds to `growth` centres that hold f off the mesh. Returns whether it added any.
+    // Measures the whole surface, and adds centres off the mesh to `growth` where the surface is far away. Returns
+    // whether it added any.
     const auto look_at_surface = [&](const FitField& field, const fit::AdaptiveFit& now, fit::NextCentres& next) {
         geometry::VecArray seeds(work.memory);
         for (const std::int64_t i : now.centres) seeds.push_back(candidates.position[i]);

@@ -31,7 +31,7 @@ struct FitMeshReport {
     std::int32_t rounds = 0;
     DistanceStatistics surface;
     DistanceStatistics mesh;
-    PartContact contact; // parts closer to each other than the tolerance, which the surface may join
+    PartContact contact; // parts closer to each other than the tolerance, which the fit may have joined
     double seconds_sample = 0.0;
     double seconds_fit = 0.0;
     double seconds_measure = 0.0;

@@ -15,8 +15,8 @@ namespace hrbfnpr::mesh {
 
 enum class MeshSide : std::uint8_t { outside, inside, unsure };
 
-// Tells on which side of a mesh with holes a place lies, by more rays. The answer is `unsure` if too many rays
-// disagree, as near a hole or beside a sheet.
+// Finds the side of a mesh with holes that a place is on. It uses more rays. The answer is `unsure` if too many rays
+// disagree, as they do near a hole or beside a sheet.
 [[nodiscard]] MeshSide side_of_mesh(const FaceTree& tree, const glm::dvec3& place) noexcept;
 
 // If closed components overlap, drops the samples of each component that lie inside another.
@@ -40,23 +40,23 @@ private:
 
 [[nodiscard]] bool has_parts(const Mesh& mesh) noexcept;
 
-// Two parts that a fit may join, because it knows distances and no topology.
+// Two parts that a fit may join by mistake, because distances do not show topology.
 struct PartContact {
-    std::int32_t one = -1, other = -1; // components, numbered from 0; -1: none
+    std::int32_t one = -1, other = -1; // the numbers of the components, from 0; -1 if there are none
     glm::dvec3 place{0.0};
     bool may_cross = false; // True if the parts may cross, false if they are only near each other.
 };
 
-// Finds the first edge that goes through a face of another component.
+// Finds the first edge that crosses a face of another component.
 [[nodiscard]] PartContact find_crossing(const base::Work& work, const Mesh& mesh, const FaceTree& tree);
 
-// Finds the first place of `places` from which another component is no farther than `near` along the normal or against
-// it. Solids that are fitted separately may cross, and touch only if their normals there are nearly parallel or
-// opposite. Otherwise find_crossing() is tried first.
+// Finds the first of `places` from which another component is at most `near` away, along the normal or against it. With
+// `solids_apart`, each solid is fitted separately: solids may cross, and touch only if their normals there are nearly
+// parallel or opposite. Without it, find_crossing() is tried first.
 [[nodiscard]] PartContact find_part_contact(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                             const MeshSamples& places, double near, bool solids_apart);
 
-// Does the same as find_part_contact(), and logs a warning about the parts that it found.
+// Like find_part_contact(), but also logs a warning about the parts found.
 [[nodiscard]] PartContact warn_of_part_contact(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                                const MeshSamples& places, double near, bool solids_apart);
 

@@ -69,9 +69,9 @@ void add_trees(std::uint32_t set, std::uint32_t top, Topped&& topped, Programs& 
     }
 }
 
-// ---- Signed distances from the mesh
+// ---- SignedDistances of the mesh
 
-// The place of the mesh nearest to a given place.
+// The place on the mesh that is nearest to a given place.
 struct NearestPlace {
     double distance = 0.0; // signed distance; below 0 is inside
     std::int64_t face = -1;
@@ -79,10 +79,10 @@ struct NearestPlace {
     bool inner = false; // true if the place is inside its face, not on an edge
 };
 
-// Tells on which side of the mesh a place lies. Rays tell the side if the mesh is solid and has several parts or is not
-// closed, and where faces of a solid are folded upon each other, because their normals do not tell. Elsewhere the
-// normal at the nearest place tells it (Baerentzen and Aanaes, "Signed distance computation using the angle weighted
-// pseudonormal", 2005).
+// Finds on which side of the mesh a place lies. Usually the normal at the nearest place decides (Baerentzen and Aanaes,
+// "Signed distance computation using the angle weighted pseudonormal", 2005). Rays decide if the mesh is solid and has
+// several parts or is not closed, and where faces of a solid are folded upon each other, because normals are not
+// reliable there.
 class SignedDistances {
 public:
     SignedDistances(const base::Work& work, const Mesh& mesh, const FaceTree& tree);
@@ -98,13 +98,13 @@ public:
         if (inside) result.distance = -result.distance;
         return result;
     }
-    // Returns a distance, at most `most`, by which one can go from a place inside a face along a direction so that the
-    // mesh ahead is no nearer than the place.
+    // Returns the distance, at most `most`, that a point can move from a place inside a face along a direction while
+    // that face remains the nearest part of the mesh.
     [[nodiscard]] double free_distance(const glm::dvec3& place, const glm::dvec3& along, double most) const noexcept {
         const FaceTree::Hit hit = tree_.first_hit(place, 2.0 * most * along, 1e-6, 1.0);
         return hit.face < 0 ? most : 0.9 * hit.t * most;
     }
-    // Tells whether a place is on the outer surface of the mesh, and not on a face inside another part.
+    // Returns whether a place is on the outer surface of the mesh, not on a face inside another part.
     [[nodiscard]] bool is_outer(const NearestPlace& nearest) const noexcept {
         return !by_rays_ || !is_inside(tree_, nearest.place + off_ * normal_[nearest.face]) ||
                !is_inside(tree_, nearest.place - off_ * normal_[nearest.face]);
@@ -165,7 +165,7 @@ SignedDistances::SignedDistances(const base::Work& work, const Mesh& mesh, const
     by_rays_ = solid_ && (!mesh.report.closed || has_parts(mesh));
 }
 
-// Tells whether at nearly all of these faces rays agree with the orientation of the face.
+// Returns whether rays agree with the orientation of nearly all of the given faces.
 bool SignedDistances::is_solid_by_rays(const base::Work& work, const base::Array<std::int64_t>& face) const {
     base::Array<std::uint8_t> right(work.memory, face.size());
     work.for_chunks(face.size(), 16, [&](std::int64_t begin, std::int64_t end) {
@@ -181,6 +181,7 @@ bool SignedDistances::is_solid_by_rays(const base::Work& work, const base::Array
 }
 
 glm::dvec3 SignedDistances::pseudo_normal(std::int64_t face, const glm::dvec3& place, bool& inner) const noexcept {
+    // A place is on an edge of a face if its barycentric coordinate for the opposite corner is below this.
     constexpr double on_edge = 1e-6; // the share of a corner at which a place is on an edge
     const glm::dvec3 shares = shares_of(mesh_.corners(face), place);
     inner = shares.x > on_edge && shares.y > on_edge && shares.z > on_edge;
@@ -284,8 +285,8 @@ struct TreeTests {
     base::Array<std::int32_t> own; // for each place on the surface: the index of the sheet that f should equal; else -1
 };
 
-// Adds two kinds of tests. On the mesh, f should equal the sheet of the patch. Beside the mesh, f should have the sign
-// of that side.
+// Adds two kinds of tests. On the mesh, f should equal the sheet of the patch. NearestPlace the mesh, f should have the
+// sign of that side.
 void test_on_surface(const CellTask& task, const CellBox& box, std::span<const std::int32_t> sheets,
                      const NearestPlace& nearest, double step, TreeTests& tests) {
     if (!box.contains(nearest.place) || !task.distances.is_outer(nearest)) return;
@@ -301,8 +302,8 @@ void test_on_surface(const CellTask& task, const CellBox& box, std::span<const s
     }
 }
 
-// Returns tests at random places in the cell, at the places of the mesh nearest to them, and in the middles of faces
-// and near their sides, because small faces and creases lie between random places.
+// Returns tests at random places in the cell and at the nearest places on the mesh. Small faces and creases may lie
+// between random places, so tests in the middles of faces and near their sides are added.
 [[nodiscard]] TreeTests gather_tests(const CellTask& task, const CellBox& box, std::span<const std::int32_t> faces,
                                      std::span<const std::int32_t> sheets, std::uint64_t cell) {
     constexpr std::uint32_t stream = 78;
@@ -342,7 +343,7 @@ struct TreeChoice {
     double off = 0.0;       // the mean relative difference between the tree's values and distances
 };
 
-// Counts the tests that a tree fails. `value` holds the values of each sheet at all places.
+// Counts the tests that a tree fails. `value` holds the value of each sheet at each place.
 [[nodiscard]] TreeChoice count_failures(std::span<const std::int32_t> program, std::int64_t tree,
                                         const TreeTests& tests, const base::Array<double>& value) noexcept {
     const std::int64_t count = tests.distance.size();
@@ -441,8 +442,8 @@ struct CellDecision {
     return patches;
 }
 
-// Sets the linear function of a cell without surface. In the middle it is the signed distance, and in all of the cell
-// it has the same sign.
+// Sets the linear function of a cell without surface. In the middle of the cell it equals the signed distance, and it
+// has the same sign in the whole cell.
 void make_plain(const SignedDistances& distances, const Node& node, CellDecision& found) noexcept {
     const NearestPlace nearest = distances.nearest_place(node.centre);
     const glm::dvec3 off = node.centre - nearest.place;
@@ -454,7 +455,8 @@ void make_plain(const SignedDistances& distances, const Node& node, CellDecision
     for (int c = 0; c < 3; ++c) found.plain[1 + c] = gradient[c];
 }
 
-// Decides about a node. `faces` are the faces in the cell's box. `cell` is a number that no other cell has.
+// Decides what to do with a node. `faces` are the faces in the box of its cell. `cell` is a number that no other cell
+// has.
 [[nodiscard]] CellDecision decide_cell(const CellTask& task, const Node& node, const FaceList& faces,
                                        std::int32_t level, std::uint64_t cell, bool may_split) {
     CellDecision found;
@@ -470,9 +472,9 @@ void make_plain(const SignedDistances& distances, const Node& node, CellDecision
     if (found.split) return found;
     patches.resize(std::min<std::int64_t>(patches.size(), ReadOnceTrees::most));
     const TreeTests tests = gather_tests(task, node.box(), faces.span(), patches.span(), cell);
-    if (const double side = tests.one_side(); side != 0.0) { // the faces that meet the box are inside another part
+    if (const double side = tests.one_side(); side != 0.0) { // All faces that meet the box are inside another part.
         found.plain[0] = 0.5 * side * node.half;
-        // The gradient is not 0, because callers may need its direction.
+        // The gradient must not be 0, because callers may need its direction.
         const glm::dvec3 along = 0.1 * side * task.distances.normal(faces[0]);
         for (int c = 0; c < 3; ++c) found.plain[1 + c] = along[c];
         return found;
@@ -510,8 +512,8 @@ void make_plain(const SignedDistances& distances, const Node& node, CellDecision
     return next;
 }
 
-// If the mesh is not solid, a cell without surface gets the program of the nearest cell with surface. So the surface
-// continues beyond its borders.
+// If the mesh is not solid, each cell without surface gets the program of the nearest cell with surface. This continues
+// the surface beyond its borders.
 void continue_surface(const base::Work& work, const SignedDistances& distances, const geometry::VecArray& centres,
                       SheetTreeData& data) {
     base::Array<std::int32_t> from(work.memory, data.leaves());

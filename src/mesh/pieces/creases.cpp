@@ -57,7 +57,7 @@ struct BentEdge {
 
 struct BentEdges {
     base::Array<BentEdge> edge;
-    base::Groups at;                  // the numbers of the bends at each vertex
+    base::Groups at;                  // for each vertex: the numbers of its bends
     base::Array<std::int32_t> degree; // for each vertex: the number of creases and patch borders there
 
     void sharpen(std::int64_t i) noexcept {
@@ -80,9 +80,9 @@ bool is_fading(const Creases& creases, const BentEdge& bend) noexcept {
     return bend.sharp && creases.patch[bend.left] == creases.patch[bend.right];
 }
 
-// Finds the edges that bend. `known` are edges that are already sharp, in the order of the sides. Another edge may
-// become sharp if its entry in `may_be_sharp`, by the side of its left face, is not 0. If `may_be_sharp` is empty, all
-// edges may.
+// Finds the edges that bend. `known` are edges that are sharp already, in the order of the sides. Other edges may
+// become sharp if `may_be_sharp`, indexed by the side of the left face, is not 0. If `may_be_sharp` is empty, all edges
+// may.
 BentEdges find_bent_edges(const CreaseTask& task, const base::Array<Crease>& known,
                           const base::Array<std::uint8_t>& may_be_sharp) {
     const Mesh& mesh = task.mesh;
@@ -120,7 +120,7 @@ BentEdges find_bent_edges(const CreaseTask& task, const base::Array<Crease>& kno
     return {std::move(edge), std::move(at), std::move(degree)};
 }
 
-// Extends sharp edges that end in a vertex, until they meet another sharp edge or no edge goes on.
+// Extends sharp edges that end at a vertex along the edges that continue them, up to another sharp edge.
 void extend_creases(const Mesh& mesh, BentEdges& bends) {
     const auto grow_from = [&](std::int32_t before, std::int32_t end) {
         while (bends.degree[end] == 1) {
@@ -150,7 +150,7 @@ void extend_creases(const Mesh& mesh, BentEdges& bends) {
     }
 }
 
-// Tells whether creases meet in a vertex and none of them goes straight on.
+// Returns whether creases meet in a vertex, and none of them passes straight through it.
 bool is_corner(const CreaseTask& task, const BentEdges& bends, std::int32_t vertex) noexcept {
     const auto way = [&](const BentEdge& bend) {
         return glm::normalize(task.mesh.vertex[bend.other_end(vertex)] - task.mesh.vertex[vertex]);
@@ -170,8 +170,8 @@ bool is_corner(const CreaseTask& task, const BentEdges& bends, std::int32_t vert
     return creases >= 2;
 }
 
-// Makes edges between two corners sharp. Inside a smooth patch no edge joins two corners of its outline, so such an
-// edge lies between two facets.
+// Makes an edge sharp if it joins two corners of creases. Inside a smooth patch there is no such edge, so it must lie
+// between two facets.
 void sharpen_between_corners(const CreaseTask& task, BentEdges& bends) {
     base::Array<std::int64_t> found(task.work.memory);
     for (std::int64_t i = 0; i < bends.edge.size(); ++i) {
@@ -183,7 +183,7 @@ void sharpen_between_corners(const CreaseTask& task, BentEdges& bends) {
     for (const std::int64_t i : found) bends.sharpen(i);
 }
 
-// Sets `cut`, `patch` and `patches` by the edges that are sharp.
+// UnionFind `cut`, `patch` and `patches` from the sharp edges.
 void find_patches(const CreaseTask& task, const BentEdges& bends, Creases& creases) {
     const Mesh& mesh = task.mesh;
     base::Array<std::uint8_t> cut(task.work.memory, 3 * mesh.faces());
@@ -205,8 +205,8 @@ void find_patches(const CreaseTask& task, const BentEdges& bends, Creases& creas
     creases.patches = numbers.count();
 }
 
-// Makes the edges of faces sharp that are too far from a surface curved as their normals are. Returns whether there
-// were any such faces.
+// Makes the edges of coarse faces sharp. A face is coarse if it is far from the curved surface that its vertex normals
+// imply. Returns whether it made any edge sharp.
 bool sharpen_coarse(const CreaseTask& task, const Creases& creases, BentEdges& bends) {
     const base::Array<glm::dvec3> normal = patch_normals(task.work, task.mesh, creases).normal;
     bool sharpened = false;
@@ -220,11 +220,11 @@ bool sharpen_coarse(const CreaseTask& task, const Creases& creases, BentEdges& b
     return sharpened;
 }
 
-// Drops short creases that separate nothing, unless they connect two other creases, for example at the corner of a
-// plate. Returns whether any was dropped.
+// Drops short creases that separate nothing. A crease that connects two others is kept, such as one at the corner of a
+// plate. Returns whether it dropped any.
 bool drop_short_fading(const CreaseTask& task, const Creases& creases, BentEdges& bends) {
     const std::int64_t vertices = task.mesh.vertex.size();
-    UnionFind sets(task.work.memory, vertices); // connected fading creases
+    UnionFind sets(task.work.memory, vertices); // sets of connected creases that separate nothing
     for (const BentEdge& bend : bends.edge)
         if (is_fading(creases, bend)) sets.join(bend.from, bend.to);
     base::Array<double> length(task.work.memory, vertices);
@@ -256,8 +256,8 @@ bool drop_short_fading(const CreaseTask& task, const Creases& creases, BentEdges
     return dropped;
 }
 
-// Joins each patch that is too small to be seen with the patch beyond its flattest edge. Returns whether there were any
-// such patches.
+// Joins each patch that is too small to be seen with the neighbour beyond its flattest edge. Returns whether it joined
+// any.
 bool join_scraps(const CreaseTask& task, const Creases& creases, BentEdges& bends) {
     base::Memory& memory = task.work.memory;
     base::Array<std::int64_t> faces(memory, creases.patches);
@@ -294,7 +294,7 @@ bool join_scraps(const CreaseTask& task, const Creases& creases, BentEdges& bend
     return joined;
 }
 
-// Sets the list of sharp edges and their lengths.
+// Writes the list of sharp edges and their lengths.
 void describe(const Mesh& mesh, const BentEdges& bends, Creases& creases) {
     creases.edge.clear();
     creases.length = creases.fading = 0.0;

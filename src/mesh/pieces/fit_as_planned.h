@@ -21,7 +21,7 @@ struct PlannedCreases {
 [[nodiscard]] PlannedCreases find_planned_creases(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                                   const CreaseEvidence& known, const FitMeshSettings& settings);
 
-// Measures what plan_end() needs. `has_creases` tells that fit_sheet_tree() made the fit.
+// Measures the facts that plan_end() needs. `has_creases` is true if fit_pieces() made the fit.
 [[nodiscard]] EndFacts end_facts(const Mesh& mesh, const FitMeshReport& report, bool has_creases) noexcept;
 
 // Returns places spread over a mesh. Their support ends where the mesh ends.
@@ -31,7 +31,7 @@ struct PlannedCreases {
 struct PlannedFit {
     explicit PlannedFit(base::Memory& memory) noexcept : end_place(memory), end_normal(memory) {}
 
-    std::optional<fit::FitResult> smooth; // without its samples
+    std::optional<fit::FitResult> smooth; // the smooth fit, without its samples
     std::optional<SheetTreeFit> pieces;   // set if there is no smooth fit
     FitMeshReport report;
     std::int64_t centres = 0;

@@ -67,14 +67,14 @@ HalfEdgeMesh by_sides(const base::Work& work, const Mesh& mesh) {
 
 // ---- The mesh beside an edge
 
-// The angle by which a mesh turns along a walk, in degrees.
+// How far a mesh turns along a walk, in degrees.
 struct TotalTurn {
-    double all = 0.0; // turns in both senses added up
-    double net = 0.0; // positive on a hill, below 0 in a hollow
+    double all = 0.0; // the sum of the magnitudes of the turns
+    double net = 0.0; // the sum of the turns: positive on a hill, negative in a hollow
 };
 
-// Walks from the middle of a side into its face and on, at right angles to the side, and adds up how much the mesh
-// turns about the side. The bend at the side itself does not count.
+// Walks from the middle of a side across its face and further, at right angles to the side. Sums how far the mesh turns
+// about the side on the way. The bend at the side does not count.
 TotalTurn turn_beside(const HalfEdgeMesh& sided, std::int64_t side, double reach) noexcept {
     HRBFNPR_ASSERT(side >= 0 && side < sided.beyond.size() && reach >= 0.0);
     glm::dvec3 place = sided.from(side) + 0.5 * sided.along(side);
@@ -108,7 +108,7 @@ TotalTurn turn_beside(const HalfEdgeMesh& sided, std::int64_t side, double reach
     return turn;
 }
 
-// Counts the faces of the flat polygon that each face belongs to.
+// Returns for each face the number of faces in its flat polygon.
 base::Array<std::int32_t> faces_of_polygons(const base::Work& work, const HalfEdgeMesh& sided) {
     const std::int64_t faces = sided.mesh.faces();
     UnionFind polygons(work.memory, faces);
@@ -122,17 +122,17 @@ base::Array<std::int32_t> faces_of_polygons(const base::Work& work, const HalfEd
     return count;
 }
 
-// The result of examining the mesh on both sides of an edge.
+// The result of examining the mesh on the two sides of an edge.
 struct EdgeEvidence {
     bool stands_out = false;
     // True if the mesh continues to turn in the same sense on both sides, as a round wall or a fillet does.
     bool is_round = false;
 };
 
-// Examines both sides of an edge. The edge stands out if the mesh turns little on both sides. If one of its faces
-// belongs to a flat polygon, it also stands out if the mesh turns little on one side, or if it is too sharp to be
-// round. The test of one side reaches no farther than the height of the lower face, because that may be the face of a
-// chamfer.
+// Examines the mesh on both sides of an edge. The edge stands out if the mesh turns little on both sides. If one of its
+// faces belongs to a flat polygon, the edge also stands out if the mesh turns little on one side, or if it is too sharp
+// to be round. The test of a single side reaches only as far as the height of the lower face, which may be the face of
+// a chamfer.
 EdgeEvidence examine_edge(const HalfEdgeMesh& sided, std::int64_t side, std::int64_t other,
                           const base::Array<std::int32_t>& faces_of_polygon) noexcept {
     const double bend = std::abs(sided.bend[side]);
@@ -151,8 +151,8 @@ EdgeEvidence examine_edge(const HalfEdgeMesh& sided, std::int64_t side, std::int
     return seen;
 }
 
-// Returns how far the face of a side is from a round surface of which it is a chord, and which turns at the side as the
-// mesh does.
+// Returns the distance of a side's face from a round surface that bends as much as the mesh bends at the side. The face
+// is a chord of that surface.
 double bulge(const HalfEdgeMesh& sided, std::int64_t side) noexcept {
     return 0.25 * sided.height(side) * std::tan(0.5 / degrees * std::min(std::abs(sided.bend[side]), 120.0));
 }

@@ -27,7 +27,8 @@ namespace {
 
 // ---- Fans
 
-// Tells whether the face of corner `b` lies across the side that starts at corner `a`, and the side is no crease.
+// Returns whether corners `a` and `b` are neighbours in a fan: the face of `b` is beyond the side that starts at `a`,
+// and that side is no crease.
 [[nodiscard]] bool is_same_patch_across(const Mesh& mesh, const Creases& creases, std::int64_t a,
                                         std::int64_t b) noexcept {
     const auto ahead = [&](std::int64_t corner, std::int64_t by) {
@@ -83,7 +84,8 @@ struct FlatRegions {
     base::Array<double> bulge; // for each region: the largest chord_error() of its faces with the mean normals
 };
 
-// Grows regions across edges that are no crease, starting at the largest faces, whose normals are the most exact.
+// Grows regions across edges that are no creases. It starts at the largest faces, because their normals are the most
+// exact.
 void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases, FlatRegions& flats) {
     base::Memory& memory = runtime.memory;
     const base::Array<std::int64_t> beyond = sides_beyond(mesh.triangle, sides_by_edge(runtime, mesh.triangle));
@@ -125,7 +127,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
     }
 }
 
-// Returns the flats, or none if no face bulges by more than the tolerance.
+// Returns the flats. If no face bulges by more than the tolerance, there are none.
 [[nodiscard]] FlatRegions find_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
                                      const base::Array<glm::dvec3>& mean, double tolerance) {
     FlatRegions flats(runtime.memory);
@@ -139,7 +141,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
     return flats;
 }
 
-// Returns the largest flat of a fan if it bulges and is much larger than all other flats there, or -1.
+// Returns the largest flat of a fan, if it bulges and is much larger than all other flats of the fan; else -1.
 [[nodiscard]] std::int32_t largest_flat(const FlatRegions& flats, const Fan& fan, double tolerance) noexcept {
     const auto region = [&](std::int32_t corner) { return flats.region[corner / 3]; };
     const std::int32_t largest = region(*std::max_element(fan.begin(), fan.end(), [&](std::int32_t a, std::int32_t b) {
@@ -239,7 +241,7 @@ private:
     glm::dvec3 middle_;
 };
 
-// Returns the number of pieces that a side is cut into.
+// Returns the number of pieces into which a side is divided.
 [[nodiscard]] std::int64_t interval_count(double length, double spacing) noexcept {
     return static_cast<std::int64_t>(std::clamp(length / spacing, 1.0, patch_tuning.most_cuts));
 }

@@ -25,7 +25,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// All steps read this data.
+// The data that all steps read.
 struct PatchedMesh {
     const Mesh& mesh;
     const Creases& creases;
@@ -54,9 +54,10 @@ struct Seeds {
     base::Array<std::uint8_t> on_crease;
 };
 
-// Adds seeds at tips. Where a step in a patch fades, its wall ends in a tip, and the patch goes around the tip from one
-// crease to the other. One sheet cannot be both above and below the wall there. Seeds are added along such creases, as
-// long as these separate the same two patches. `cuts` is the number of cut sides at each vertex: two for each crease.
+// Adds seeds at tips. Where a step in the surface fades out, its wall ends in a tip, and another patch passes around
+// the tip from the crease above the wall to the crease below it. One sheet cannot represent both. So seeds are added
+// along these creases, as long as they separate the same two patches. `cuts` is the number of cut sides at each vertex:
+// two for each crease.
 void add_tips(const PatchedMesh& patched, const base::Array<std::int32_t>& cuts, Seeds& seeds) {
     const Mesh& mesh = patched.mesh;
     const Creases& creases = patched.creases;
@@ -125,11 +126,12 @@ Seeds find_seeds(const PatchedMesh& patched) {
 
 // ---- Spreading
 
-// A face or a vertex that was reached.
+// A face or a vertex with the distance at which it was reached.
 struct QueueEntry {
     double distance;
     std::int32_t number;
-    [[nodiscard]] bool operator<(const QueueEntry& other) const noexcept { // the nearest is on top of the heap
+    // The order makes the nearest one the top of the heap.
+    [[nodiscard]] bool operator<(const QueueEntry& other) const noexcept {
         return distance > other.distance || (distance == other.distance && number > other.number);
     }
 };
@@ -188,8 +190,8 @@ Labels spread_labels(const PatchedMesh& patched, const Seeds& seeds) {
     const Mesh& mesh = patched.mesh;
     const Creases& creases = patched.creases;
     base::Memory& memory = mesh.vertex.memory();
-    // Faces at the vertices of such a crease belong to one of its sides, except at its ends, where both sides are
-    // connected.
+    // If a crease has the same patch on both sides, the faces at its vertices belong to one side or the other. At its
+    // ends both sides are connected, so these vertices are left out.
     UnionFind sets(memory, mesh.faces());
     for (std::int64_t side = 0; side < creases.cut.size(); ++side) {
         if (creases.cut[side] != 0 || patched.across(side) < 0) continue;
@@ -220,7 +222,8 @@ Labels spread_labels(const PatchedMesh& patched, const Seeds& seeds) {
 void number_parts(const Labels& labels, Creases& creases) {
     base::Memory& memory = creases.patch.memory();
     const std::int64_t faces = creases.patch.size();
-    NumbersByFirstUse numbers(memory, faces + creases.patches); // labels first, then patches that stay whole
+    // In the numbering, the labels come first, then the patches that stay whole.
+    NumbersByFirstUse numbers(memory, faces + creases.patches);
     for (std::int64_t face = 0; face < faces; ++face) {
         const std::int32_t label = labels.label[face];
         creases.patch[face] = numbers.of(label < 0 ? faces + creases.patch[face] : label);
@@ -228,7 +231,7 @@ void number_parts(const Labels& labels, Creases& creases) {
     creases.patches = numbers.count();
 }
 
-// Lists the faces of each part that are near a smooth cut, with the part beyond the cut.
+// For each part, lists the faces of other parts near its smooth cuts.
 base::Array<Creases::Shared> shared_bands(const PatchedMesh& patched, const Labels& labels) {
     const Mesh& mesh = patched.mesh;
     const Creases& creases = patched.creases;

@@ -159,7 +159,7 @@ struct CellTuning {
 
     // ---- Cells
 
-    // The side of the root cell, in reaches of the model (SheetTreeData::reach diagonals). Larger: larger cells.
+    // The side of the root cell, in units of the model's reach (PiecesData::reach diagonals). Larger: larger cells.
     double root_side = 1.02;
     // The least level of cells with surface, the least level of cells without, and the largest level of all cells.
     // Larger: more cells, better corners.
