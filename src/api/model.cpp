@@ -51,7 +51,7 @@ const implicit::Implicit& hrbfnpr_model::trimmed(const implicit::Implicit& prepa
 
 std::size_t hrbfnpr_model::preparation_for(double evaluations) const noexcept {
     if (const auto* made = std::get_if<implicit::SheetTree>(&surface)) {
-        const auto scope = implicit::PreparedPieces::pays(made->data(), evaluations);
+        const auto scope = implicit::PreparedSheetTree::pays(made->data(), evaluations);
         return scope ? static_cast<std::size_t>(*scope) : ways;
     }
     const implicit::HrbfData* const hrbf = data();

@@ -100,7 +100,7 @@ struct FollowedSurface {
             found.part_of[i] = value[i] > settings.limit ? unassigned : supported;
         }
     });
-    const bool along_curves = !wary && settings.closest == 0.0 && support.along_curves();
+    const bool along_curves = !wary && settings.closest == 0.0 && support.samples_lie_along_curves();
     const double share = wary ? generate_tuning.caution_factor : 1.0;
     const geometry::Bounds inner = region.grown(-side);
     std::int64_t left_out = 0;
@@ -148,7 +148,7 @@ struct FollowedSurface {
     if (from.size() == 0) return false;
     if (2 * from.size() > support.samples()) return true;
     const double evaluations = generate_tuning.evaluations_of_sample * static_cast<double>(from.size());
-    const implicit::Implicit& implicit = implicit_for(evaluations, work.standing());
+    const implicit::Implicit& implicit = implicit_for(evaluations, work.without_progress());
     const UnsupportedDomain doubtful(support, settings.limit);
     const implicit::Trimmed some(implicit, doubtful);
     for (const bool wary : {true, false}) {

@@ -527,7 +527,7 @@ void project_lines(const marks::Site& site, double separation, const geometry::B
         projector.start.clear();
         const std::int64_t end = std::min(count, from + marks::chunk_size);
         for (std::int64_t i = from; i < end; ++i) projector.start.push_back(lines.position[i]);
-        projector.project(separation, report, site.work.standing());
+        projector.project(separation, report, site.work.without_progress());
         for (std::int64_t i = from; i < end; ++i) {
             if (projector.placed(i - from) && !region.contains(projector.position(i - from)))
                 projector.drop(i - from, report.dropped_strayed, report);

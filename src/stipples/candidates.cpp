@@ -278,7 +278,7 @@ struct ProjectionCounts {
     std::uint32_t ticket = first_ticket;
     for (std::uint32_t k = 0; k < count; ++k) {
         const std::int32_t cell = cell_of(classified, at);
-        if (cell < 0 || !site.implicit.holds(at, normal))
+        if (cell < 0 || !site.implicit.contains(at, normal))
             ++counts.strayed;
         else if (classified.kind(cell) != CellKind::flat)
             to[counts.kept++] = {cell, ticket, glm::vec3(at - cells.grid.origin), bits,
@@ -363,7 +363,7 @@ void project_trials(const marks::Site& site, const ClassifiedCells& classified, 
         }
     }
     const glm::dvec3 at = near ? place - distance * normal : place;
-    const std::int32_t cell = near && site.implicit.holds(at, normal) ? cell_of(classified, at) : -1;
+    const std::int32_t cell = near && site.implicit.contains(at, normal) ? cell_of(classified, at) : -1;
     if (cell < 0 || classified.kind(cell) == CellKind::flat) {
         strayed += cell < 0 ? 1 : 0;
         projection.cell = -1;

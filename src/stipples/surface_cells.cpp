@@ -77,7 +77,7 @@ struct VisitedCell {
     if (near) {
         visited.cell.distance = distance;
         visited.cell.normal = glm::normalize(gradient);
-        if (!site.implicit.holds(cells.grid.centre(place) - distance * visited.cell.normal, visited.cell.normal))
+        if (!site.implicit.contains(cells.grid.centre(place) - distance * visited.cell.normal, visited.cell.normal))
             return visited;
     }
     if (seeded || std::abs(distance) <= cells.half_diagonal())

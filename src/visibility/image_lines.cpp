@@ -530,7 +530,7 @@ void add_piercing(const PiercingScene& in, const PiercingPart& part, base::Array
     const double share = part.low.share - (part.high.share - part.low.share) * part.low.value / rise;
     const PiercingPlace& at = part.low;
     const implicit::Domain* const domain = in.occluder.sheet_counter->mesh().domain;
-    if (domain != nullptr && !domain->holds(at.point, at.gradient)) return;
+    if (domain != nullptr && !domain->contains(at.point, at.gradient)) return;
     const glm::dvec4& eye = in.occluder.eye;
     const glm::dvec3 sight = eye.w == 0.0 ? glm::dvec3(eye) : at.point - glm::dvec3(eye);
     const bool faces_away = glm::dot(at.gradient, sight) > 0.0;
