@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Looks at a file without drawing it."""
+"""The command check: examines a file without drawing it."""
 from __future__ import annotations
 
 import dataclasses
@@ -20,13 +20,13 @@ from .._values import words_of
 from ..shapes import Shape
 from ..shapes._facts import facts_of
 
-FINE, WARNINGS, UNUSABLE = 0, 1, 2  # exit status
-_METRES = ("GLB", "glTF", "LAS", "LAZ", "E57")
-_LOOKS = ("", "outward", "inward", "mixed", "open", "none")  # HRBFNPR_NORMALS_LOOK_...
+FINE, WARNINGS, UNUSABLE = 0, 1, 2  # exit statuses
+_IN_METRES = ("GLB", "glTF", "LAS", "LAZ", "E57")  # formats whose unit is the metre
+_LOOKS = ("", "outward", "inward", "mixed", "open", "none")  # words for HRBFNPR_NORMALS_LOOK_*, by value
 
 
 class Findings:
-    """What is reported; keys are those of the JSON."""
+    """The report on a file.  The keys of `facts` are also the keys of the JSON."""
 
     def __init__(self, path: Path) -> None:
         self.facts: Dict[str, Any] = {"file": str(path), "status": "fine"}
@@ -34,7 +34,7 @@ class Findings:
         self.warnings: List[str] = []
         self.errors: List[str] = []
         self.advice: List[str] = []
-        self.details: Dict[str, str] = {}  # of the texts above, for people
+        self.details: Dict[str, str] = {}  # explains texts of the lists above; not in the JSON
 
     @property
     def status(self) -> int:
@@ -47,27 +47,28 @@ class Findings:
 
 
 def check(path: Path, as_json: bool, context: Context, verbose: bool = False) -> int:
-    """Report on a file.
+    """Print a report on a file.
 
     Returns
     -------
     int
-        0 if it can be drawn as it is, 1 with warnings, 2 if it cannot be used.
+        The exit status: 0 if the file can be drawn as it is, 1 with warnings, 2 if it cannot be used.
     """
     findings = Findings(path)
     try:
-        _look(path, findings, context)
+        _examine(path, findings, context)
     except (Error, OSError, ValueError) as error:
         findings.errors.append(words_of(error).replace(f"{path}: ", "", 1))
     facts = findings.as_dict()
     if as_json:
-        print(json.dumps(_finite(facts), indent=2))
+        print(json.dumps(_without_nan(facts), indent=2))
     else:
         _print(facts, findings.details if verbose else {})
     return findings.status
 
 
-def _look(path: Path, findings: Findings, context: Context) -> None:
+def _examine(path: Path, findings: Findings, context: Context) -> None:
+    """Add the contents of the file, and the notes of the library about it, to the findings."""
     facts = findings.facts
     saved = load_saved(path, context)
     if saved is not None:
@@ -97,11 +98,11 @@ def _look(path: Path, findings: Findings, context: Context) -> None:
 
 
 def _facts(shape: Shape, info: Any) -> Dict[str, Any]:
-    """What is known of it; what was not found out is left out."""
+    """The facts about a shape, without those that were not examined or do not apply."""
     facts: Dict[str, Any] = {"points_not_finite": info.points_not_finite}
     if info.points_not_finite >= info.points - info.no_data - info.strays:
         return facts
-    unit = "metres" if shape.format in _METRES else "unknown"
+    unit = "metres" if shape.format in _IN_METRES else "unknown"
     facts.update(
         bounds_min=list(info.bounds_min), bounds_max=list(info.bounds_max), diagonal=info.diagonal, unit=unit
     )
@@ -123,28 +124,28 @@ def _facts(shape: Shape, info: Any) -> Dict[str, Any]:
                 normals_closed=round(info.normals_closed, 3), normals_flipped_share=round(info.normals_flipped_share, 4)
             )
     reason = ffi.string(info.up_reason).decode()
-    return {**facts, "up": _axis(list(info.up)), "up_reason": reason} if reason else facts
+    return {**facts, "up": _axis_name(list(info.up)), "up_reason": reason} if reason else facts
 
 
-def _axis(up: List[float]) -> str:
-    """x, -x, ... or the numbers."""
+def _axis_name(up: List[float]) -> str:
+    """The name of an axis, such as x or -x, or the three numbers of another direction."""
     for i, axis in enumerate("xyz"):
         if abs(up[i]) == sum(abs(part) for part in up):
             return axis if up[i] > 0 else f"-{axis}"
     return ",".join(f"{part:g}" for part in up)
 
 
-def _finite(value: Any) -> Any:
-    """JSON has no NaN."""
+def _without_nan(value: Any) -> Any:
+    """A value with None for NaN and infinities, which JSON does not have."""
     if isinstance(value, float):
         return value if np.isfinite(value) else None
     if isinstance(value, dict):
-        return {key: _finite(one) for key, one in value.items()}
-    return [_finite(one) for one in value] if isinstance(value, list) else value
+        return {key: _without_nan(one) for key, one in value.items()}
+    return [_without_nan(one) for one in value] if isinstance(value, list) else value
 
 
 def _print(facts: Dict[str, Any], details: Dict[str, str]) -> None:
-    """The same for people, with the details of what is found."""
+    """Print the facts as lines of text, each with its entry in `details` if it has one."""
     lists = ("notes", "repairs", "warnings", "errors", "advice")
     for name, value in facts.items():
         if name in (*lists, "status"):
@@ -152,9 +153,9 @@ def _print(facts: Dict[str, Any], details: Dict[str, str]) -> None:
         if isinstance(value, dict):
             print(f"{name}:")
             for inner, one in value.items():
-                print(f"  {inner.replace('_', ' ')}: {_word(one)}")
+                print(f"  {inner.replace('_', ' ')}: {_text(one)}")
         else:
-            print(f"{name.replace('_', ' ')}: {_word(value)}")
+            print(f"{name.replace('_', ' ')}: {_text(value)}")
     for name, words in (("notes", "note"), ("repairs", "repaired by the fit"), ("warnings", "warning"),
                         ("errors", "error"), ("advice", "what to do")):  # fmt: skip
         for text in facts.get(name, ()):
@@ -164,11 +165,11 @@ def _print(facts: Dict[str, Any], details: Dict[str, str]) -> None:
     print(f"status: {facts['status']}")
 
 
-def _word(value: Any) -> str:
+def _text(value: Any) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float):
         return f"{value:.6g}"
     if isinstance(value, list):
-        return " ".join(_word(one) for one in value)
+        return " ".join(_text(one) for one in value)
     return str(value)

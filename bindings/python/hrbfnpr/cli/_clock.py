@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""When this process began, as far as the system tells."""
+"""The time at which this process started."""
 from __future__ import annotations
 
 import os
@@ -9,10 +9,13 @@ _loaded = time.monotonic()
 
 
 def process_start() -> float:
-    """On the scale of time.monotonic(): before the interpreter started where that is known, else about after it."""
+    """When this process started, on the scale of time.monotonic().
+
+    On Linux this is before the interpreter starts.  On other systems it is the time when this module was imported.
+    """
     try:
         with open("/proc/self/stat", "rb") as file:
-            # The name of the program, in brackets, may hold anything.
+            # The second field is the name of the program in brackets.  It may contain spaces and brackets.
             fields = file.read().rpartition(b")")[2].split()
         began = int(fields[19]) / os.sysconf("SC_CLK_TCK")
         age = time.clock_gettime(time.CLOCK_BOOTTIME) - began

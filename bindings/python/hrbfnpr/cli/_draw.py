@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The commands draw and csg: what is drawn goes to files."""
+"""The commands draw and csg: they draw a source and write the drawing to files."""
 from __future__ import annotations
 
 from pathlib import Path
@@ -18,24 +18,24 @@ from ._outputs import UsageError, check_all
 from ._progress import Reporter
 
 DEFAULT_STYLE = "contour-and-stipple"
-_OF_ONE = ("save_model", "save_points", "save_settings", "settings")  # what is made of one surface
+_NEED_ONE_SURFACE = ("save_model", "save_points", "save_settings", "settings")  # options that need a single surface
 
 
 def outputs_of(arguments: Any) -> List[Path]:
-    """Where the drawing goes, in one format or several."""
+    """The files for the drawing: the output and those of --also."""
     return [Path(arguments.output_option or arguments.output or Path(arguments.input).stem + ".png"),
             *(Path(path) for path in arguments.also)]  # fmt: skip
 
 
 def draw(arguments: Any, options: Options, context: Context, report: Reporter) -> None:
-    """Draw a model or a point set and write the picture."""
+    """Draw a source and write the drawing to all outputs."""
     outputs = outputs_of(arguments)
     check_all(arguments, outputs)
     settings = None if not arguments.settings else read_settings(arguments.settings, context)
     unused = [f"--{row.name.replace('_', '-')}" for row in OPTIONS if row.group == "vectors" and row.name in options]
     if unused and not any(map(format_of, outputs)):
         raise UsageError(f"{', '.join(unused)} is for vectors: name an output .svg, .pdf, .hpgl or .gcode")  # fmt: skip
-    flags = ["TOGETHER"] if any(getattr(arguments, name) for name in _OF_ONE) else []
+    flags = ["TOGETHER"] if any(getattr(arguments, name) for name in _NEED_ONE_SURFACE) else []
     flags += ["KEEP_MARKS"] if arguments.save_points else []
     scene = scene_of(
         arguments.input, style_of(arguments), options, None, context, report, flags=flags, settings=settings,
@@ -48,7 +48,7 @@ def draw(arguments: Any, options: Options, context: Context, report: Reporter) -
                 scene.write(path, drawing, camera, report)
             else:
                 _pictures.save(_pictures.to_pil(scene.image(drawing, camera)), path, None)
-        stage.says = ", ".join(map(str, outputs)) + _save(arguments, scene)
+        stage.says = ", ".join(map(str, outputs)) + _save_model_and_marks(arguments, scene)
         if arguments.save_settings:
             scene.write_settings(arguments.save_settings, report)
             stage.says += f", {arguments.save_settings}"
@@ -57,22 +57,22 @@ def draw(arguments: Any, options: Options, context: Context, report: Reporter) -
 
 
 def style_of(arguments: Any) -> Any:
-    """The name asked for; None for that of the settings."""
+    """The name of the style.  None means the style of the file of settings."""
     if arguments.style is None and not getattr(arguments, "settings", None):
         return DEFAULT_STYLE
     return arguments.style
 
 
 def read_settings(path: str, context: Context) -> Settings:
-    """Those of a file, which errors name."""
+    """Read a file of settings.  Errors name the file."""
     try:
         return Settings(path, context)
     except ValueError as error:
         raise ValueError(f"{path}: {words_of(error)}") from None
 
 
-def _save(arguments: Any, scene: Scene) -> str:
-    """The other files that are wanted, in words."""
+def _save_model_and_marks(arguments: Any, scene: Scene) -> str:
+    """Save the files of --save-model and --save-points.  Return their names as text."""
     model, points = arguments.save_model, arguments.save_points
     if isinstance(scene.model, Model) and model:
         scene.model.save(model)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The command line's grammar: the options of a drawing are those of `_options.py`."""
+"""The grammar of the command line.  The options of drawings come from the table in `_options.py`."""
 from __future__ import annotations
 
 import argparse
@@ -22,19 +22,19 @@ VIEWS = {
 SHEET_VIEWS = ("front", "back", "left", "right", "top", "bottom", "iso")
 SMOOTH = ("ridges", "valleys", "suggestive")
 _TITLES = {"vectors": "for outputs .svg, .pdf, .hpgl (.plt) and .gcode (.nc, .ngc)"}
-_DRAWING = ("", "style", "camera", "marks", "fit", "samples", "vectors")
-_SURFACE = ("fit", "samples")
+_DRAWING_GROUPS = ("", "style", "camera", "marks", "fit", "samples", "vectors")
+_SURFACE_GROUPS = ("fit", "samples")
 
 
 class Parser(argparse.ArgumentParser):
-    """Errors are one line."""
+    """A parser that prints an error as one line, without the usage."""
 
     def error(self, message: str) -> NoReturn:
         sys.stderr.write(f"hrbfnpr: error: {message} (see {self.prog} --help)\n")
         sys.exit(2)
 
     def parse_args(self, args: Any = None, namespace: Any = None) -> Any:
-        # argparse takes "-1,0,0" for an option; glued to the option before, it is a value.
+        # argparse mistakes the value "-1,0,0" for an option.  Join it with the option before, as --option=-1,0,0.
         given: List[str] = []
         for word in sys.argv[1:] if args is None else args:
             if given and given[-1].startswith("--") and "=" not in given[-1] and re.match(r"-[\d.]|-[xyz](:|$)", word):
@@ -45,7 +45,7 @@ class Parser(argparse.ArgumentParser):
 
 
 def options_of(arguments: Any) -> Options:
-    """The options of a drawing that were given."""
+    """The options of the drawing that are on the command line, by name."""
     found = {row.name: getattr(arguments, f"option_{row.name}", None) for row in OPTIONS}
     return {name: value.replace("-", "_") if BY_NAME[name].choices else value for name, value in found.items()
             if value is not None and value is not False and value != []}  # fmt: skip
@@ -124,7 +124,7 @@ def _add_turn(parser: Parser) -> None:
 
 
 def _cut(text: str) -> str:
-    """AXIS, AXIS:PLACE or A:B:C:D, where A x + B y + C z = D."""
+    """Check the plane of a section: AXIS, AXIS:PLACE, or A:B:C:D for A x + B y + C z = D."""
     parts = text.split(":")
     if parts[0].lstrip("+-") in ("x", "y", "z") and len(parts) <= 2:
         for part in parts[1:]:
@@ -158,7 +158,7 @@ def _paper(text: str) -> str:
 
 
 def _add_views(parser: Parser) -> None:
-    """Names are those of hrbfnpr_views_desc."""
+    """Add the options of a sheet of views.  Their names are those of the fields of hrbfnpr_views_desc."""
     group = parser.add_argument_group("sheet")
     _add(group, "--views", values.one_of("view", SHEET_VIEWS), "NAMES", f"views, with commas between: {', '.join(SHEET_VIEWS)} "
          "(default: front, top, iso and the side view on the right)")  # fmt: skip
@@ -197,11 +197,11 @@ def _add_drawing(draw: Parser) -> None:
     draw.add_argument("--settings", metavar="FILE", help="file of settings, from --save-settings or hrbfnpr-view; other "
                       "options override it (docs/settings.md)")  # fmt: skip
     draw.add_argument("--save-settings", metavar="FILE", help="save the settings of the drawing, for --settings")
-    _add_groups(draw, _DRAWING)
+    _add_groups(draw, _DRAWING_GROUPS)
 
 
 def build() -> Parser:
-    """The whole grammar."""
+    """The parser of all commands."""
     parser = Parser(prog="hrbfnpr", description="Draw surfaces in pen and ink, from meshes, scans and points.")
     parser.add_argument("--version", action="version", version=f"hrbfnpr {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
@@ -217,16 +217,16 @@ def build() -> Parser:
     def add_sheet(sheet: Parser) -> None:
         _add_output(sheet, "-sheet.png")
         _add_cells(sheet)
-        _add_groups(sheet, ("style", "camera", "marks", *_SURFACE))
+        _add_groups(sheet, ("style", "camera", "marks", *_SURFACE_GROUPS))
 
     def add_turntable(turn: Parser) -> None:
         _add_turn(turn)
-        _add_groups(turn, ("", "style", "camera", "marks", *_SURFACE), without=("size",))
+        _add_groups(turn, ("", "style", "camera", "marks", *_SURFACE_GROUPS), without=("size",))
 
     def add_views(views: Parser) -> None:
         _add_output(views, "-views.svg", "file of the sheet (.svg, .pdf, .hpgl, .gcode)")
         _add_views(views)
-        _add_groups(views, _SURFACE)
+        _add_groups(views, _SURFACE_GROUPS)
 
     def add_saved(what: str, groups: Sequence[str]) -> Callable[[Parser], None]:
         def fill(command: Parser) -> None:
@@ -248,10 +248,10 @@ def build() -> Parser:
         "model.", add_turntable, marks_too)  # fmt: skip
     add("sheet-views", "draw views and sections to scale", "Draw views and sections of a model to scale on a sheet, by the "
         "conventions of technical drawing.", add_views, source)  # fmt: skip
-    add("fit", "fit a model and save it", "Fit a model and save it.", add_saved("file of the model, .hrbf", _SURFACE),
+    add("fit", "fit a model and save it", "Fit a model and save it.", add_saved("file of the model, .hrbf", _SURFACE_GROUPS),
         "a mesh or points with normals")  # fmt: skip
     add("points", "place marks and save them", "Place marks and save them.",
-        add_saved("file of the marks, .hrbm or .ply", ("marks", *_SURFACE)), source)  # fmt: skip
+        add_saved("file of the marks, .hrbm or .ply", ("marks", *_SURFACE_GROUPS)), source)  # fmt: skip
     add("check", "report what is in a file and what is wrong with it", "Print what a file holds, what is wrong "
         f"with it, what a fit repairs and what you can do. These are read: {READ}. Exit status: 0 fine, 1 warnings, 2 unusable.",
         add_json, "a mesh or points, a saved model or point set", "FILE")  # fmt: skip

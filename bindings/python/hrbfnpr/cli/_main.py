@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs the commands; failures are one line and an exit code."""
+"""Runs the commands.  A failure prints one line and returns an exit status."""
 from __future__ import annotations
 
 import dataclasses
@@ -32,18 +32,18 @@ def main(argv: Optional[List[str]] = None) -> int:
     Returns
     -------
     int
-        0; 1 after a failure; 2 for a wrong command line; 3 where a picture would be blank; 130 after Ctrl-C.
-        Of `check`: 0, 1 with warnings, 2 if the file cannot be used.
+        The exit status: 0 after success, 1 after a failure, 2 if the command line is wrong, 3 if the picture would be
+        blank, 130 after Ctrl-C.  `check` returns 0 if the file is fine, 1 with warnings, 2 if the file cannot be used.
     """
     start = process_start() if argv is None else time.monotonic()
     report = Reporter(quiet=True)
     try:
         arguments = build().parse_args(argv)
-        work, context = _command(arguments.command), Context(arguments.threads or 0)
+        work, context = _function_of(arguments.command), Context(arguments.threads or 0)
         report = Reporter(arguments.quiet, start, arguments.verbose)
-        with np.errstate(all="ignore"):  # what comes of odd numbers is said in words
+        with np.errstate(all="ignore"):  # notes and errors report such numbers in words
             return work(arguments, options_of(arguments), context, report) or 0
-    except SystemExit as end:  # argparse, for --help and wrong options
+    except SystemExit as end:  # from argparse, after --help or wrong options
         return end.code if isinstance(end.code, int) else 0
     except UsageError as error:
         return _fail(str(error), 2)
@@ -53,7 +53,7 @@ def main(argv: Optional[List[str]] = None) -> int:
     except KeyboardInterrupt:
         return _fail("interrupted", 130)
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains at its end
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # otherwise Python prints an error when it flushes stdout at exit
         return 1
     except OutOfMemoryError as error:
         return _fail(f"out of memory: {error}; try fewer --samples or --marks", 1)
@@ -68,8 +68,8 @@ def _fail(message: str, code: int) -> int:
     return code
 
 
-def _command(name: str) -> Any:
-    """What runs it: read when it is asked for, as starting takes long enough."""
+def _function_of(name: str) -> Any:
+    """The function that runs a command.  Its module is imported only now, which makes the start quick."""
     module, function = {
         "draw": ("_draw", "draw"), "csg": ("_draw", "draw"), "turntable": ("_turntable", "turn"),
         "sheet": ("_sheet", "draw_sheet"), "sheet-views": ("_surfaces", "views"), "fit": ("_surfaces", "fit"),
@@ -85,6 +85,7 @@ def _check(arguments: Any, options: Any, context: Context, report: Reporter) -> 
 
 
 def _describe(path: Path, context: Context) -> Dict[str, Any]:
+    """The facts that `info` prints about a file."""
     from .. import shapes
 
     saved = load_saved(path, context)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Whether results can be written, asked before the work."""
+"""Checks before the work starts that its results can be written."""
 from __future__ import annotations
 
 import os
@@ -11,14 +11,14 @@ from ..shapes._read import ENDINGS
 
 
 class UsageError(Exception):
-    """Options that do not go together; exit code 2."""
+    """The command line is wrong, such as options that do not go together.  The exit status is 2."""
 
 
 _SAVED = {"model": ".hrbf", "point set": ".hrbm"}
 
 
 def check(path: Union[str, Path]) -> None:
-    """An error, by the name that the user typed, if a file cannot be put there."""
+    """Raise an OSError if the file cannot be written.  The error names the file as the user typed it."""
     target = Path(os.path.realpath(path))
     if target.is_dir():
         raise IsADirectoryError(21, "it is a folder: give a file name", str(path))
@@ -30,20 +30,23 @@ def check(path: Union[str, Path]) -> None:
 
 
 def check_picture(path: Union[str, Path]) -> None:
-    """The same of a picture, whose ending says its format."""
+    """Raise an error if the file cannot be written as a picture in the format of its ending."""
     _pictures.format_of(path)
     check(path)
 
 
 def check_drawing(path: Union[str, Path]) -> None:
-    """The same of a picture or of vectors."""
+    """Raise an error if the file cannot be written as a picture or as vectors in the format of its ending."""
     if _page.format_of(path) is None:
         _pictures.format_of(path)
     check(path)
 
 
 def check_saved(path: Optional[str], kind: str, also: str = "") -> None:
-    """The same of a model or a point set; an ending of another format is refused, but for `also`."""
+    """Raise an error if a model or point set cannot be saved there.  None is not checked.
+
+    Endings of formats for shapes are refused, except `also`.
+    """
     if path is None:
         return
     ending = os.path.splitext(path)[1].lower()
@@ -54,7 +57,7 @@ def check_saved(path: Optional[str], kind: str, also: str = "") -> None:
 
 
 def check_all(arguments: Any, drawings: Sequence[Path]) -> None:
-    """Everything that a command will write."""
+    """Check all files that `draw` and `csg` write."""
     for path in drawings:
         check_drawing(path)
     check_saved(getattr(arguments, "save_model", None), "model")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Marks as a PLY file, for other programs."""
+"""Writes marks as a PLY file for other programs."""
 from __future__ import annotations
 
 from typing import BinaryIO
@@ -11,7 +11,7 @@ from .._streams import write_atomically
 
 
 def write_ply(path: str, marks: PointSet) -> None:
-    """Absolute positions, normals, directions, rank and layer's number of all marks; binary."""
+    """Write all marks to a binary PLY file: absolute position, normal, direction, rank and number of the layer."""
     fields = [(name, "<f8") for name in "xyz"]
     fields += [(name, "<f4") for name in ("nx", "ny", "nz", "dx", "dy", "dz", "rank")]
     parts = []

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the user reads: stages and their seconds on stdout; bars, notes and, at the end, warnings on stderr."""
+"""Prints the progress of a command.
+
+Stages and their seconds go to stdout.  Bars, notes and, at the end, warnings go to stderr.
+"""
 from __future__ import annotations
 
 import shutil
@@ -13,16 +16,17 @@ from .._report import Note, Stage
 
 
 class Reporter(_report.Reporter):
-    """Shows bars if stderr is a terminal and tqdm is installed.
+    """The reporter of the command line.  It shows bars if stderr is a terminal and tqdm is installed.
 
     Parameters
     ----------
     quiet : bool
-        Prints warnings alone.
+        Whether only warnings are printed.
     start : float, optional
-        When the process started, on the scale of time.monotonic().
+        When the process started, on the scale of time.monotonic().  If given, the first line reports the seconds from
+        there to the creation of this reporter.
     verbose : bool
-        Prints the detail of each note and warning below it.
+        Whether the detail of each note and warning is printed below it.
     """
 
     wording = lib.HRBFNPR_WORDING_OPTIONS
@@ -31,7 +35,7 @@ class Reporter(_report.Reporter):
         super().__init__()
         self.quiet, self.verbose = quiet, verbose
         self._start = time.monotonic() if start is None else start
-        self._starting: Optional[float] = None if start is None else self.seconds
+        self._start_seconds: Optional[float] = None if start is None else self.seconds
         self._tqdm: Any = None
         if not quiet and sys.stderr.isatty():
             try:
@@ -43,11 +47,11 @@ class Reporter(_report.Reporter):
 
     @property
     def seconds(self) -> float:
-        """Since the start of the process, or of this reporter."""
+        """The seconds since `start`, or since the creation of this reporter if `start` was not given."""
         return time.monotonic() - self._start
 
     def note(self, text: str) -> None:
-        """What is good to know; at once."""
+        """Print a note at once."""
         if not self.quiet:
             self._print("note", text)
 
@@ -58,26 +62,26 @@ class Reporter(_report.Reporter):
             print(f"    {detail}", file=sys.stderr, flush=True)
 
     def say(self, text: str) -> None:
-        """A line on stdout."""
+        """Print a line on stdout."""
         if not self.quiet:
             print(text, flush=True)
 
     def line(self, name: str, seconds: float, says: str = "") -> None:
-        """A stage that is over; the first one has that of starting before it."""
-        if self._starting is not None:
-            starting, self._starting = self._starting, None
-            self.line("start", starting, "Python and the library")
+        """Print the line of a finished stage.  The first call prints the line of the start before it."""
+        if self._start_seconds is not None:
+            seconds_of_start, self._start_seconds = self._start_seconds, None
+            self.line("start", seconds_of_start, "Python and the library")
         self.say(f"{name:<12}{seconds:8.2f} s  {says}".rstrip())
 
     def summary(self, text: str) -> None:
-        """The last line of stdout, with the seconds of it all, and the warnings after it."""
+        """Print the total time and the last line on stdout, and then the warnings."""
         seconds = self.seconds
         self.line("total", seconds)
         self.say(f"{text}, {seconds:.1f} s")
         self.finish()
 
     def finish(self) -> None:
-        """Print the warnings."""
+        """Print the warnings and clear them."""
         for text in self.warnings:
             self._print("warning", text)
         self.warnings.clear()
@@ -86,7 +90,7 @@ class Reporter(_report.Reporter):
         if self._tqdm is None:
             return Stage(None)
         layout = "{desc:<18}{percentage:3.0f}% |{bar:30}| {elapsed}"
-        # A terminal that does not know its width would get a fraction with all its digits instead.
+        # If the terminal does not report its width, tqdm ignores the layout and prints the unrounded fraction.
         width = shutil.get_terminal_size().columns or 80
         bar = self._tqdm(total=1.0, desc=doing, bar_format=layout, file=sys.stderr, leave=False, ncols=width)
         return Stage(bar)
@@ -104,25 +108,29 @@ class Reporter(_report.Reporter):
 
 
 class Part(_report.Reporter):
-    """The notes and warnings of what is part of a stage: its own stages are not told.
+    """Passes notes and warnings on to another reporter, with a prefix, and does not show stages.
+
+    It is for work within a stage of that reporter.
 
     Parameters
     ----------
-    about : str
-        What notes and warnings begin with, but for those of `general`.
-    without : names of notes
-        Which are not told.
+    whole : Reporter
+        The reporter that gets the notes and warnings.
+    prefix : str
+        Notes and warnings begin with it, except those whose codes are in `general`.
+    skipped : tuple of str
+        Notes with these codes are not passed on.
     """
 
     wording = lib.HRBFNPR_WORDING_OPTIONS
-    general = ("lines_thin", "lines_end")
+    general = ("lines_thin", "lines_end")  # codes of notes that are about the surface, not about one drawing
 
-    def __init__(self, whole: Reporter, about: str, without: Any = ()) -> None:
+    def __init__(self, whole: Reporter, prefix: str, skipped: Any = ()) -> None:
         super().__init__()
-        self._whole, self._about, self._without = whole, about, without
+        self._whole, self._prefix, self._skipped = whole, prefix, skipped
 
     def take_note(self, note: Note) -> None:
         if note.severity == "failure":
             self.failure = note
-        elif note.code not in self._without:
-            self._whole.take_note(note if not self._about or note.code in self.general else note.about(self._about))
+        elif note.code not in self._skipped:
+            self._whole.take_note(note if not self._prefix or note.code in self.general else note.about(self._prefix))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A contact sheet: one model in many styles."""
+"""The command sheet: draws one model in several styles or views, side by side in one picture."""
 from __future__ import annotations
 
 import math
@@ -17,14 +17,15 @@ from ._grammar import VIEWS
 from ._outputs import UsageError, check_picture
 from ._progress import Part, Reporter
 
-SIZE = 640  # longer side of each drawing
+SIZE = 640  # default of the longer side of each drawing, in pixels
 _PAPER, _INK, _FRAME = (255, 255, 255), (0, 0, 0), (190, 190, 190)
-_NOT_TOLD = ("lines_broken", "lines_doubted", "lines_tangled")  # of so small drawings
-_VIEW = ("azimuth", "direction", "eye")
+# Codes of notes about small defects of lines, which are hard to see in the small drawings of a sheet.
+_SKIPPED_NOTES = ("lines_broken", "lines_doubted", "lines_tangled")
+_VIEW_OPTIONS = ("azimuth", "direction", "eye")  # each of these chooses the view
 
 
 class Cell(NamedTuple):
-    """One drawing of the sheet: its label, and the style and options that `draw` would have."""
+    """One drawing of the sheet: its label, and the style and options with which `draw` makes the same drawing."""
 
     label: str
     style: str
@@ -32,31 +33,32 @@ class Cell(NamedTuple):
 
 
 class Layout(NamedTuple):
-    """Where drawings and labels are, in pixels."""
+    """The sizes and places of drawings and labels, in pixels.  Drawings are in a grid of cells."""
 
-    columns: int
-    width: int  # of a cell
-    height: int
+    columns: int  # number of cells side by side
+    width: int  # width of a cell
+    height: int  # height of a cell without its label
     text: int  # height of a label
-    gap: int
+    gap: int  # space between cells
 
     def size(self, count: int) -> Tuple[int, int]:
+        """The width and height of a sheet with this number of cells."""
         rows = math.ceil(count / self.columns)
         down = self.height + self.text + 2 * self.gap
         return self.columns * (self.width + self.gap) + self.gap, rows * down + self.gap
 
     def corner(self, index: int) -> Tuple[int, int]:
-        """The upper left corner of a cell's drawing; its label is below."""
+        """The upper left corner of a cell.  Its label is below the drawing."""
         down, across = divmod(index, self.columns)
         return self.gap + across * (self.width + self.gap), self.gap + down * (self.height + self.text + 2 * self.gap)
 
 
 def cells(arguments: Any, options: Options) -> List[Cell]:
-    """All drawings, style by style."""
+    """All cells: each style in each view.  The views of a style follow each other."""
     result = []
     given: Options = {"size": SIZE, **options}
-    if not any(name in options for name in _VIEW):
-        given["azimuth"] = 30.0  # not the front of an open surface: all cells are seen from one side
+    if not any(name in options for name in _VIEW_OPTIONS):
+        given["azimuth"] = 30.0  # one view for all cells; `draw` alone would show the front of an open surface
     for style in arguments.styles or PRESETS:
         if arguments.views is None:
             result.append(Cell(style, style, given))
@@ -66,8 +68,12 @@ def cells(arguments: Any, options: Options) -> List[Cell]:
     return result
 
 
-class _First(Part):
-    """Of the first cell, which the surface is made with: what is said of this is said of the file."""
+class _FirstCell(Part):
+    """The reporter of the first cell, with which the surface is fitted.
+
+    Most notes are then about the file, so they get no prefix.  The stages that place the marks and trace the lines of
+    this cell are not printed, because the other cells print none.
+    """
 
     def take_note(self, note: Any) -> None:
         if note.code in ("marks_limited", "levels_limited"):
@@ -89,19 +95,22 @@ class _First(Part):
         self._whole.drop(stage)
 
 
-def _drawn(scene: Scene, report: Any) -> Any:
-    """A PIL.Image, the same as `draw` makes; one that is blank is warned of, as the others may be worth having."""
+def _draw_cell(scene: Scene, report: Any) -> Any:
+    """The drawing as a PIL.Image, the same as `draw` makes.
+
+    A blank drawing gives a warning and no error, because the other cells may be useful.
+    """
     try:
         drawing = scene.draw(report=report)
     except BlankError as error:
         report.take_note(_warning_of(report.failure))
-        drawing = scene.draw(scene.camera)
+        drawing = scene.draw(scene.camera)  # with a given camera, a blank drawing is no error
         del error
     return _pictures.to_pil(scene.image(drawing, scene.camera))
 
 
 def _warning_of(failure: Note) -> Note:
-    """Why a drawing is blank is the detail of its warning."""
+    """Turn a failure into a warning.  Its first sentence is the text, and the others are the detail."""
     what, _, why = str(failure).partition(". ")
     note = Note(what)
     note.code, note.severity, note.figures, note.detail = failure.code, "warning", failure.figures, why and f"{why}."
@@ -109,7 +118,10 @@ def _warning_of(failure: Note) -> Note:
 
 
 def _label(text: str, height: int, width: int) -> Any:
-    """A text in Pillow's own font, larger by a whole number, about so high and not wider than that if it can be."""
+    """A picture of a text in the default font of Pillow, enlarged by a whole number to about this height.
+
+    It is at most `width` wide, unless the text is wider at its natural size.
+    """
     from PIL import Image, ImageDraw, ImageFont
 
     font = ImageFont.load_default()
@@ -121,6 +133,7 @@ def _label(text: str, height: int, width: int) -> Any:
 
 
 def _layout(arguments: Any, sizes: List[Tuple[int, int]], labels: List[Any]) -> Layout:
+    """The layout for drawings of these sizes.  By default each view has a column, or the sheet is about square."""
     width = max(*(size[0] for size in sizes), *(label.width for label in labels))
     height, text = max(size[1] for size in sizes), max(label.height for label in labels)
     gap = max(4, max(width, height) // 40)
@@ -130,6 +143,7 @@ def _layout(arguments: Any, sizes: List[Tuple[int, int]], labels: List[Any]) -> 
 
 
 def _compose(layout: Layout, pictures: List[Any], labels: List[Any]) -> Any:
+    """The whole sheet as a PIL.Image."""
     from PIL import Image, ImageDraw
 
     sheet = Image.new("RGB", layout.size(len(pictures)), _PAPER)
@@ -149,7 +163,7 @@ def draw_sheet(arguments: Any, options: Options, context: Context, report: Repor
     output = Path(arguments.output_option or arguments.output or Path(arguments.input).stem + "-sheet.png")
     check_picture(output)
     wanted = cells(arguments, options)
-    first = _First(report, wanted[0].label)
+    first = _FirstCell(report, wanted[0].label)
     made = scene_of(arguments.input, wanted[0].style, wanted[0].options, None, context, first, flags=("TOGETHER",))
     if made.model is None:
         raise UsageError(f"{arguments.input} holds a point set; a sheet needs a mesh, points or a model")
@@ -158,9 +172,9 @@ def draw_sheet(arguments: Any, options: Options, context: Context, report: Repor
         for cell in wanted:
             if stage.bar is not None:
                 stage.bar.set_description(cell.label)
-            about = Part(report, cell.label, _NOT_TOLD)
-            scene = made if cell is wanted[0] else made.restyled(cell.options, cell.style, about, flags=("TOGETHER",))
-            pictures.append(_drawn(scene, about))
+            part = Part(report, cell.label, _SKIPPED_NOTES)
+            scene = made if cell is wanted[0] else made.restyled(cell.options, cell.style, part, flags=("TOGETHER",))
+            pictures.append(_draw_cell(scene, part))
             if stage.bar is not None:
                 stage.bar.update(1 / len(wanted))
         stage.says = f"{len(wanted)} drawings, each with its marks and lines"

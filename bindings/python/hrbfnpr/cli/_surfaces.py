@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The commands that want a surface alone: fit, points and sheet-views."""
+"""The commands that need only a fitted surface: fit, points and sheet-views."""
 from __future__ import annotations
 
 import io
@@ -24,13 +24,16 @@ from .._streams import write_atomically
 from ._outputs import UsageError, check_drawing, check_saved
 from ._progress import Reporter
 
-_HATCH = ("separation", "step", "guide", "guide_direction", "guide_weight", "start", "start_level")
-_STIPPLES = ("density", "density_strength")
-_NUMBERS = ("line_width", "hatch_spacing", "spacing", "crease_angle", "unit_mm")
+_HATCH_FIELDS = ("separation", "step", "guide", "guide_direction", "guide_weight", "start", "start_level")
+_STIPPLE_FIELDS = ("density", "density_strength")
+_NUMBER_FIELDS = ("line_width", "hatch_spacing", "spacing", "crease_angle", "unit_mm")
 
 
 def surface_of(arguments: Any, options: Options, context: Context, report: AnyReporter, otherwise: str) -> Scene:
-    """One surface of what a file holds; `otherwise` is said of marks."""
+    """A scene with the contents of a file as one surface.
+
+    If the file holds marks only, the error says that it holds `otherwise`.
+    """
     scene = scene_of(arguments.input, None, options, None, context, report, flags=("SURFACE_ONLY", "TOGETHER"))
     if scene.model is None:
         raise UsageError(f"{arguments.input} holds {otherwise}")
@@ -38,7 +41,7 @@ def surface_of(arguments: Any, options: Options, context: Context, report: AnyRe
 
 
 def fit(arguments: Any, options: Options, context: Context, report: Reporter) -> None:
-    """Fit a model and save it."""
+    """Fit a model to the input and save it."""
     check_saved(arguments.output, "model")
     model = surface_of(arguments, options, context, report, "a point set; a fit needs a mesh or points with normals").model
     assert model is not None
@@ -52,7 +55,7 @@ def fit(arguments: Any, options: Options, context: Context, report: Reporter) ->
 
 
 def points(arguments: Any, options: Options, context: Context, report: Reporter) -> None:
-    """Place marks and save them."""
+    """Place marks on the surface and save them, as .hrbm or .ply."""
     check_saved(arguments.output, "point set", ".ply")
     model = surface_of(arguments, options, context, report, "a point set, so its marks are placed already").model
     assert model is not None
@@ -71,25 +74,26 @@ def points(arguments: Any, options: Options, context: Context, report: Reporter)
 
 
 def _generate(model: Model, options: Options, bar: Any, context: Context) -> PointSet:
-    """The marks of layers that have just what was asked for."""
-    of_all: Dict[str, Any] = {}
-    of_layers: Dict[str, Any] = {}
+    """Generate marks whose layers have only the given options, without those of a style."""
+    common: Dict[str, Any] = {}  # arguments for all layers together
+    layer_fields: Dict[str, Any] = {}  # fields of each layer
     for row in OPTIONS:
         section, _, field = row.target.rpartition(".")
         if row.name in options and section in ("marks", "marks.layers"):
-            (of_all if section == "marks" else of_layers)[field] = options[row.name]
+            (common if section == "marks" else layer_fields)[field] = options[row.name]
     if "random_seed" in options:
-        of_all["random_seed"] = options["random_seed"]
+        common["random_seed"] = options["random_seed"]
     if "seed_points" in options:
         from .. import shapes
 
-        of_all["seed_points"] = shapes.read(options["seed_points"]).points
-    layers = [_layer(kind, options, of_layers) for kind in options.get("layers") or ("stipples",)]
-    return PointSet.generate(model, layers, progress=bar, context=context, **of_all)
+        common["seed_points"] = shapes.read(options["seed_points"]).points
+    layers = [_layer(kind, options, layer_fields) for kind in options.get("layers") or ("stipples",)]
+    return PointSet.generate(model, layers, progress=bar, context=context, **common)
 
 
 def _layer(kind: str, options: Options, given: Dict[str, Any]) -> Layer:
-    fields = {"stipples": _STIPPLES, "hatch": _HATCH}[kind]
+    """A layer of a kind, with the given fields that apply to this kind."""
+    fields = {"stipples": _STIPPLE_FIELDS, "hatch": _HATCH_FIELDS}[kind]
     layer = Layer(kind, **{name: given[name] for name in (*fields, "tone_smoothing") if name in given})
     for field, numbers in (("budget", options.get("marks", {})), ("levels", options.get("levels", {}))):
         if kind in numbers:
@@ -103,7 +107,7 @@ def _layer(kind: str, options: Options, given: Dict[str, Any]) -> Layer:
 
 
 def views(arguments: Any, options: Options, context: Context, report: Reporter) -> None:
-    """Draw all views and write the sheet."""
+    """Draw the views and sections and write the sheet."""
     output = Path(arguments.output_option or arguments.output or Path(arguments.input).stem + "-views.svg")
     if format_of(output) is None:
         raise ValueError(f"{output}: a sheet of views is a vector file: use .svg, .pdf, .hpgl or .gcode")
@@ -122,7 +126,7 @@ def views(arguments: Any, options: Options, context: Context, report: Reporter) 
 
 
 def _views_desc(arguments: Any, scene: Scene, format: str) -> Any:
-    """A hrbfnpr_views_desc, and what must be kept alive with it."""
+    """A hrbfnpr_views_desc, and the objects that it points to, which the caller must keep alive."""
     desc, page = new_struct("hrbfnpr_views_desc"), new_struct("hrbfnpr_page_desc")
     keep: List[Any] = [page]
     for flag, wanted in (("CENTRE_LINES", arguments.centre_lines), ("LABELS", arguments.labels),
@@ -134,7 +138,7 @@ def _views_desc(arguments: Any, scene: Scene, format: str) -> Any:
              "scale": arguments.scale, "smooth": arguments.smooth, "title": arguments.title}  # fmt: skip
     for name, text in texts.items():
         setattr(desc, name, text_in(keep, text or None))
-    for name in _NUMBERS:
+    for name in _NUMBER_FIELDS:
         if getattr(arguments, name) is not None:
             setattr(desc, name, getattr(arguments, name))
     page.format, page.tolerance, desc.page = ffi.integer_const(f"HRBFNPR_PAGE_FORMAT_{format.upper()}"), 0.02, page

@@ -176,7 +176,7 @@ def _read(path: Path) -> Shape:
             raise ShapeError(_unknown(ending))
         return _read_unpacked(_vtk.read_meshio, data, ending) if packed else _vtk.read_meshio(path)
     if name == "text" and expected == "PTX" and len(head.split(b"\n", 1)[0].split()) < 3:
-        name = expected  # a damaged PTX file: its reader says what is wrong with the header
+        name = expected  # a damaged PTX file: its reader reports the error in the header
     form = FORMATS[name]
     if form.read is not None:
         data = data if packed else path.read_bytes()
