@@ -132,11 +132,11 @@ def heart_function(points: Any) -> Any:
     return (x * x + 2.25 * y * y + z * z - 1) ** 3 - x * x * z**3 - 0.1125 * y * y * z**3
 
 
-# ---- What is kept
+# ---- Models and marks that are made once
 
 
 class Kept:
-    """Models that are fitted once. Their bytes are in a folder."""
+    """Models and marks that are made once and saved in a folder."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
@@ -250,7 +250,7 @@ def fit_tolerance(kept: Kept) -> Result:
 
 @case
 def fit_fine(kept: Kept) -> Result:
-    """Several rounds of centres, by a tolerance and by their number; and thin walls, whose two sides are close."""
+    """Fits with several rounds of centres, up to a tolerance or a number, and a fit of a thin plate with two close sides."""
     fine = fit_of(datasets.knot(2500), tolerance=0.003, maximum_centres=2000)
     counted = fit_of(datasets.heart(1500), maximum_centres=400)
     sampled = mesh_of(block([-1, -1, -0.03], [1, 1, 0.03], 0.3)).sample(1500)
@@ -429,7 +429,7 @@ def mesh_scan(kept: Kept) -> Result:
 
 
 def verdicts(kept: Kept, which: List[int]) -> Result:
-    """Returns whether edges are found in meshes, and which."""
+    """Returns the number of patches of meshes, their sharp edges and the patch of each face."""
     result: Result = {}
     for number in which:
         mesh = kept.mesh(number)
@@ -634,7 +634,7 @@ def published(kept: Kept) -> Result:
     return drawn("full", picture)
 
 
-# ---- Frames and lines, of marks and models that are kept
+# ---- Frames and lines of the models and marks that are made once
 
 
 def frames(kept: Kept, name: str, preset: str, budget: int, azimuths: Any = (30.0, 30.7), **fields: Any) -> Result:
@@ -709,7 +709,7 @@ def lines_own(kept: Kept) -> Result:
 
 @case
 def frame_rays(kept: Kept) -> Result:
-    """Hidden marks that are found by rays, both sides of an open surface, and styles with rare fields."""
+    """Hidden marks that are found by rays, with both sides of the surface drawn."""
     result: Result = {}
     for name, preset, budget in (("terrain", "etching", 6000), ("tori", "full", 6000)):
         model, marks = kept.model(name), kept.marks(name, preset, budget=budget)
@@ -722,7 +722,7 @@ def frame_rays(kept: Kept) -> Result:
 
 @case
 def frame_fields(kept: Kept) -> Result:
-    """Rare fields of styles."""
+    """Styles with fields that presets do not use."""
     marks = kept.marks("tori", "full", budget=6000)
     result: Result = {}
     for name, fields in {
@@ -781,7 +781,7 @@ def rasters(kept: Kept) -> Result:
 
 
 def summary(result: Result) -> Dict[str, Any]:
-    """Returns what is kept of a result to compare others with: pictures, numbers, and checksums of files."""
+    """Returns a short form of a result for comparison: pictures, numbers, and checksums of files."""
     return {name: (zlib.crc32(value), len(value)) if isinstance(value, bytes) else value for name, value in result.items()}
 
 
