@@ -107,7 +107,7 @@ class Reporter(_report.Reporter):
             stage.bar.close()
 
 
-class Part(_report.Reporter):
+class PartReporter(_report.Reporter):
     """Passes notes and warnings on to another reporter, with a prefix, and does not show stages.
 
     It is for work within a stage of that reporter.

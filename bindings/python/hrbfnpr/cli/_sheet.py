@@ -15,7 +15,7 @@ from .._scene import BlankError, Scene
 from .._sources import scene_of
 from ._grammar import VIEWS
 from ._outputs import UsageError, check_picture
-from ._progress import Part, Reporter
+from ._progress import PartReporter, Reporter
 
 SIZE = 640  # default of the longer side of each drawing, in pixels
 _PAPER, _INK, _FRAME = (255, 255, 255), (0, 0, 0), (190, 190, 190)
@@ -68,7 +68,7 @@ def cells(arguments: Any, options: Options) -> List[Cell]:
     return result
 
 
-class _FirstCell(Part):
+class _FirstCellReporter(PartReporter):
     """The reporter of the first cell, with which the surface is fitted.
 
     Most notes are then about the file, so they get no prefix.  The stages that place the marks and trace the lines of
@@ -163,18 +163,21 @@ def draw_sheet(arguments: Any, options: Options, context: Context, report: Repor
     output = Path(arguments.output_option or arguments.output or Path(arguments.input).stem + "-sheet.png")
     check_picture(output)
     wanted = cells(arguments, options)
-    first = _FirstCell(report, wanted[0].label)
-    made = scene_of(arguments.input, wanted[0].style, wanted[0].options, None, context, first, flags=("TOGETHER",))
-    if made.model is None:
+    first_report = _FirstCellReporter(report, wanted[0].label)
+    first_scene = scene_of(
+        arguments.input, wanted[0].style, wanted[0].options, None, context, first_report, flags=("TOGETHER",)
+    )
+    if first_scene.model is None:
         raise UsageError(f"{arguments.input} holds a point set; a sheet needs a mesh, points or a model")
     pictures = []
     with report.stage("drawings", "drawing") as stage:
         for cell in wanted:
             if stage.bar is not None:
                 stage.bar.set_description(cell.label)
-            part = Part(report, cell.label, _SKIPPED_NOTES)
-            scene = made if cell is wanted[0] else made.restyled(cell.options, cell.style, part, flags=("TOGETHER",))
-            pictures.append(_draw_cell(scene, part))
+            cell_report = PartReporter(report, cell.label, _SKIPPED_NOTES)
+            scene = first_scene if cell is wanted[0] else first_scene.restyled(
+                cell.options, cell.style, cell_report, flags=("TOGETHER",))  # fmt: skip
+            pictures.append(_draw_cell(scene, cell_report))
             if stage.bar is not None:
                 stage.bar.update(1 / len(wanted))
         stage.says = f"{len(wanted)} drawings, each with its marks and lines"
