@@ -30,7 +30,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "scripts" / "fig
 import models  # noqa: E402
 
 FILES = {"bunny": "bunny_256.ply", "head": "head_4096.ply", "heart": "heart_1024.ply"}
-ASKED = 35.0  # dB
+ASKED = 35.0  # PSNR that each drawing should reach, in dB
 
 
 def run(*words):
@@ -43,7 +43,7 @@ def run(*words):
 
 
 def fitted(folder, wanted, out):
-    """Pairs of a name and a saved model, for each model that is available."""
+    """Yields the name and the saved model of each available model."""
     points, normals = models.knot()
     chosen = shapes.farthest_points(points, 1024)
     np.savetxt(out / "knot.xyz", np.column_stack((points[chosen], normals[chosen])))

@@ -74,13 +74,14 @@ OWN_CASES: Dict[str, Tuple[str, ...]] = {
     "stipples": ("stipples",),
     "visibility": ("lines", "frame"),
 }
-# Names of values that depend on the machine and not on the picture.
+# Matches names of values that depend on the machine, not on the picture.
 TIMES = re.compile(r"(_ms|_s|seconds|_ns|ns_a_|_us|speed|growth|beside|bytes|fps|threads|time)")
 LEAST_CHANGE = 1e-3  # smaller relative changes are not reported
-SLOWER = 1.5  # report a case whose time changes by more than this factor,
-SLOWER_SECONDS = 0.05  # and by more than these seconds
-TOGETHER = 20.0  # times --seconds is the time for all constants that changed nothing
-PATIENCE = 8.0  # a case is killed after this many times its usual time, and as many seconds
+# The time of a case is reported if it changes by more than this factor and by more than SLOWER_SECONDS.
+SLOWER = 1.5
+SLOWER_SECONDS = 0.05
+TOGETHER = 20.0  # time limit of moving constants together, as a multiple of --seconds
+PATIENCE = 8.0  # a case is killed after this many times its usual time, plus this many seconds
 
 
 def value_of(text: str) -> float:
@@ -203,14 +204,14 @@ class Worker:
 
 
 def used_by_cases(names: List[str]) -> Dict[str, List[str]]:
-    """Returns for each case the constants that it reads, and keeps them in a file."""
+    """Returns the names of the constants that each case reads, and caches them in a file."""
     file = KEPT / "used.json"
     used: Dict[str, List[str]] = json.loads(file.read_text()) if file.exists() else {}
     for name in names:
         if name in used:
             continue
         worker = [sys.executable, "-B", str(ROOT / "scripts" / "ablation_worker.py"), str(KEPT), "--used", name]
-        run(worker, env=environment())  # makes the kept results
+        run(worker, env=environment())  # the first run makes the kept models, which read other constants
         done = subprocess.run(worker, env=environment(), stdout=subprocess.PIPE, text=True, check=True)
         used[name] = done.stdout.split()
         file.write_text(json.dumps(used))
@@ -254,7 +255,7 @@ def by_cases(worker: Worker, constant: Constant, factor: float, cases: List[str]
 
 
 def movers(worker: Worker, case: str, constants: List[Constant], factor: float) -> Dict[str, str]:
-    """Returns the constants that change a case, by name, with their changes. Moves many at once, and bisects."""
+    """Returns the constants that change a case, by name, each with one change. Finds them by bisection."""
     if not constants:
         return {}
     found = worker.ask(case, constants, factor)["changes"]
@@ -269,7 +270,7 @@ def movers(worker: Worker, case: str, constants: List[Constant], factor: float) 
 def by_all_cases(
     worker: Worker, idle: List[Constant], factor: float, used: Dict[str, List[str]], seconds: float
 ) -> Dict[str, str]:
-    """Returns what each constant changes in the first case that it changes. Runs quick cases first, until the time is over."""
+    """Returns for each constant a change in the first case that it changes. Runs quick cases first, until the time is over."""
     found: Dict[str, str] = {}
     cost = usual_seconds(list(used))
     spent = 0.0

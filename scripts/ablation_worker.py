@@ -30,7 +30,7 @@ def put(values: Dict[str, float]) -> None:
 
 
 def measured(case: str, kept: ablation_cases.Kept) -> Dict[str, Any]:
-    """Returns the result of a case, and its seconds. An error of the library is a result, too."""
+    """Runs a case. Returns its result and its seconds. An error of the library is a result, too."""
     begin = time.process_time()
     try:
         result = ablation_cases.summary(ablation_cases.CASES[case](kept))
@@ -40,7 +40,7 @@ def measured(case: str, kept: ablation_cases.Kept) -> Dict[str, Any]:
 
 
 def usual(case: str, kept: ablation_cases.Kept, folder: Path) -> Dict[str, Any]:
-    """Returns the same for unchanged constants, and keeps it in a file. Runs the case twice, because the first run warms up."""
+    """Returns the result of a case with unchanged constants, and caches it in a file. The first run only fills caches."""
     file = folder / f"{case}.pickle"
     if not file.exists():
         measured(case, kept)

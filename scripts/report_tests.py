@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Prints what the summary of CTest does not have: each client with its version and result, and why tests were skipped.
+"""Prints results that the summary of CTest leaves out: each client with its version and result, and why tests were skipped.
 
     report_tests.py JUNIT.XML
     report_tests.py JUNIT.XML --longer SECONDS      names the tests that took longer, for LONG in their CMakeLists.txt
