@@ -18,7 +18,7 @@ from ._outputs import UsageError, check_all
 from ._progress import Reporter
 
 DEFAULT_STYLE = "contour-and-stipple"
-_NEED_ONE_SURFACE = ("save_model", "save_points", "save_settings", "settings")  # options that need a single surface
+_NEED_ONE_SURFACE = ("save_model", "save_points", "save_settings", "settings")  # these options need a single surface
 
 
 def outputs_of(arguments: Any) -> List[Path]:

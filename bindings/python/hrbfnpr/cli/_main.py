@@ -41,7 +41,7 @@ def main(argv: Optional[List[str]] = None) -> int:
         arguments = build().parse_args(argv)
         work, context = _function_of(arguments.command), Context(arguments.threads or 0)
         report = Reporter(arguments.quiet, start, arguments.verbose)
-        with np.errstate(all="ignore"):  # notes and errors report such numbers in words
+        with np.errstate(all="ignore"):  # no warnings of NumPy: notes and errors report odd numbers
             return work(arguments, options_of(arguments), context, report) or 0
     except SystemExit as end:  # from argparse, after --help or wrong options
         return end.code if isinstance(end.code, int) else 0
@@ -53,7 +53,8 @@ def main(argv: Optional[List[str]] = None) -> int:
     except KeyboardInterrupt:
         return _fail("interrupted", 130)
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # otherwise Python prints an error when it flushes stdout at exit
+        # Without this, Python prints an error when it flushes stdout at exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except OutOfMemoryError as error:
         return _fail(f"out of memory: {error}; try fewer --samples or --marks", 1)
