@@ -521,7 +521,7 @@ hrbfnpr_status hrbfnpr_source_inspect(hrbfnpr_context* context, const hrbfnpr_pi
         hrbfnpr_context& handle = api::deref(context, "context");
         api::check_output_struct(info, "info");
         if (wording > HRBFNPR_WORDING_ARGUMENTS)
-            fail(Status::invalid_argument, "wording is %u; it must be one of HRBFNPR_WORDING_... (0 to %d)", wording,
+            fail(Status::invalid_argument, "wording is %u; it must be one of HRBFNPR_WORDING_* (0 to %d)", wording,
                  HRBFNPR_WORDING_ARGUMENTS);
         picture::Pool pool(handle.runtime.memory);
         picture::Source read = picture::read_source(source, pool);

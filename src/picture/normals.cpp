@@ -351,7 +351,7 @@ String repaired_normals(const Call& call, Stage& stage, const Points& points, Po
 
 String settle_normals(const Call& call, Stage& stage, const Points& points, Points& normals, std::uint32_t mode,
                       const ViewingHints& seen) {
-    if (mode == HRBFNPR_NORMALS_GIVEN) return {"normals as they are", &call.pool};
+    if (mode == HRBFNPR_NORMALS_GIVEN) return {"normals kept", &call.pool};
     if (mode != HRBFNPR_NORMALS_AUTO) return repaired_normals(call, stage, points, normals, mode, seen);
     const NormalsLook look = look_at_normals(points, normals, false, call.pool);
     if ((look.mixed() && points.size() >= normals_tuning.fewest_repaired) || lie_along_curves(points, call.pool))

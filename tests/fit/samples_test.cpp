@@ -131,7 +131,7 @@ TEST(Samples, MaximumCentresAppliesAfterMerging) {
 }
 
 TEST(Samples, ATooHighPolynomialDegreeIsNamed) {
-    expect_message(input(sphere(2), Kind::gaussian, 2), {"polynomial_degree 2", "2 samples", "lower it"});
+    expect_message(input(sphere(2), Kind::gaussian, 2), {"polynomial_degree is 2", "2 samples", "lower it"});
     // The samples are off the axes, so that terms vanish only up to rounding.
     const auto turned = [](const glm::dvec3& p) {
         const glm::dvec3 x = glm::normalize(glm::dvec3(1, 2, 3));
