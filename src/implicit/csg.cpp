@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Runs the steps of a plan for a block of points at a time. Each step fills a register, which is an intermediate result
-// at all points of the block: a leaf from its own coordinates, a minimum, maximum or blend from two registers. A model
-// is evaluated only at points where its box allows that it matters. A group evaluates at each point the member whose
-// box is nearest, then those whose boxes allow a lesser value; points that need the same member are evaluated together.
+// Runs the steps of a plan for one block of points after another. Each step fills a register, which holds an
+// intermediate result at all points of the block. A leaf is computed from coordinates; a minimum, maximum or blend is
+// computed from two registers. A model is evaluated only at points where, judged by its box, it can affect the result.
+// A group first evaluates, at each point, the member whose box is nearest. Then it evaluates the members whose boxes
+// allow a lower value. Points that need the same member are evaluated together.
 #include "implicit/csg.h"
 
 #include "implicit/lanes.h"
@@ -17,7 +18,7 @@ namespace {
 constexpr std::int64_t csg_block = CsgTuning::block;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// An intermediate result.
+// An intermediate result at all points of a block.
 struct Register : FieldLanes<std::size_t{csg_block}> {
     std::int32_t sheet[csg_block];
 };
@@ -32,11 +33,11 @@ struct GroupSearch {
     double slack[csg_block];
     std::int32_t least_member[csg_block];     // the member with that value; -1: none yet
     std::int32_t nearest[csg_block];          // the member that was evaluated first
-    std::int32_t lane[csg_block];             // lanes; those still in question come first
+    std::int32_t lane[csg_block];             // points of the block; those still being searched come first
     PointLanes<std::size_t{csg_block}> asked; // the points at which a member is evaluated
 };
 
-// Returns scale M^T H M, the Hessian outside a place whose own Hessian is H; M is its to_local.
+// Converts a Hessian from the coordinates of a leaf to those of the solid: returns scale M^T H M with M = to_local.
 std::array<double, 6> transform_hessian(const std::array<double, 6>& h, const CsgPlace& place) noexcept {
     const glm::dmat3 full(h[0], h[1], h[2], h[1], h[3], h[4], h[2], h[4], h[5]);
     const glm::dmat3 m = place.scale * (glm::transpose(place.to_local) * full * place.to_local);
@@ -62,7 +63,7 @@ struct CsgScratch {
     explicit CsgScratch(const base::Runtime& runtime) noexcept
         : registers(runtime.memory), searches(runtime.memory), steps(runtime.memory), pending(runtime.memory) {}
 
-    base::Array<Register> registers; // registers of the plan, then those of nested groups
+    base::Array<Register> registers; // registers of the plan, followed by those of nested groups
     base::Array<GroupSearch> searches;
     base::Array<CsgStep> steps;
     base::Array<CsgPlan::Pending> pending;
@@ -74,7 +75,7 @@ namespace {
 
 class StepRunner {
 public:
-    // columns: 1 for values, 4 with gradients, 10 with Hessians.
+    // `columns` is 1 for values, 4 for values and gradients, 10 for Hessians, too.
     StepRunner(const CsgPlan& plan, std::span<const Implicit* const> leaves, CsgScratch& scratch, int columns,
                bool sheet)
         : plan_(plan), leaves_(leaves), scratch_(scratch), columns_(columns), wants_sheet_(sheet) {
@@ -83,14 +84,14 @@ public:
         registers_ = scratch.registers.data();
     }
 
-    // The result is in the first register.
+    // Runs the steps. The result is in the first register.
     const Register& operator()(std::span<const CsgStep> steps, const PointBatch& points);
 
 private:
     void copy(const Register& from, std::int64_t k, Register& to, std::int64_t lane) const noexcept {
         for (int c = 0; c < columns_; ++c) to.field[c][lane] = from.field[c][k];
     }
-    // Sets the jet of a leaf. `jet` is in the leaf's own coordinates.
+    // Writes the value and derivatives of a leaf. `jet` is in the leaf's coordinates.
     void set_leaf(Register& to, std::int64_t lane, const CsgOp& op, const CsgPlace& place,
                   const Jet& jet) const noexcept {
         Jet here{place.scale * jet.value + op.add, glm::dvec3(0.0), {}};
@@ -120,8 +121,8 @@ private:
     CsgScratch& scratch_;
     int columns_;
     bool wants_sheet_;
-    Register* registers_ = nullptr; // registers of the steps that are being run
-    std::int64_t nested_ = 0;       // the number of groups in which the steps that are being run are nested
+    Register* registers_ = nullptr; // registers of the steps that are running
+    std::int64_t nested_ = 0;       // the number of groups around the steps that are running
 };
 
 void StepRunner::shape(const CsgStep& step, const CsgOp& op, const PointBatch& points) noexcept {
@@ -140,7 +141,8 @@ void StepRunner::shape(const CsgStep& step, const CsgOp& op, const PointBatch& p
     }
 }
 
-// Whether a model can matter at a point where it is at least `beyond`, according to its box.
+// Returns whether a model can affect the result at a point where its value is known to be at least `beyond`, which is
+// the distance from its box.
 bool StepRunner::is_needed(const CsgStep& step, const CsgOp& op, const CsgPlace& place, std::int64_t lane,
                            double beyond) const noexcept {
     const CsgOp& both = plan_.ops[step.combined_by];
@@ -152,8 +154,8 @@ bool StepRunner::is_needed(const CsgStep& step, const CsgOp& op, const CsgPlace&
     return !(least > (both.blend.exponent > 0.0 ? std::max(radius, other) : other + radius));
 }
 
-// Evaluates a model. Its value is the larger of its f and the distance from its box, beyond which its f may be
-// anything.
+// Evaluates a model. Its value is the larger of f and the distance from its box, because f may be anything outside the
+// box.
 void StepRunner::evaluate_model(const CsgStep& step, const CsgPlace& place) {
     PointLanes<std::size_t{csg_block}>& asked = scratch_.asked;
     Register& answer = scratch_.answer;
@@ -253,7 +255,7 @@ void StepRunner::shell(const CsgStep& step, const CsgOp& op, std::int64_t count)
     }
 }
 
-// Returns a lower bound of a member at a point. For a model, the exact bound comes from its own box, which may be
+// Returns a lower bound of a member's value at a point. For a model the bound is computed from its box, which may be
 // rotated.
 double StepRunner::lower_bound_of(const CsgBoxTree::Node& leaf, const GroupSearch& search,
                                   std::int64_t lane) const noexcept {
@@ -266,8 +268,8 @@ double StepRunner::lower_bound_of(const CsgBoxTree::Node& leaf, const GroupSearc
     return search.sign * (place.scale * place.beyond(place.local(p), side) + op.add);
 }
 
-// Evaluates a member at some lanes, and takes over the values that are less. As when pairs are combined one after the
-// other, the first of two equal values wins, and NaN stays.
+// Evaluates a member at some lanes, and keeps the values that are lower than those found before. The results equal
+// those of combining members one after the other: the first of two equal values wins, and NaN stays.
 void StepRunner::evaluate_member(std::int32_t member, std::span<const std::int32_t> lanes, GroupSearch& search) {
     const CsgMember& part = plan_.members[member];
     search.asked.count = 0;
@@ -311,11 +313,12 @@ void StepRunner::evaluate_nearest(std::int32_t root, GroupSearch& search) {
     }
 }
 
-// Walks down the tree of boxes. At each box it keeps the points at which the box allows a value that is less or equal.
+// Walks down the tree of boxes. At each box it keeps the points at which a member in the box may have a value that is
+// lower or equal.
 void StepRunner::evaluate_others(std::int32_t root, GroupSearch& search) {
     struct Part {
         std::int32_t node;
-        std::int64_t count; // number of lanes at the front
+        std::int64_t count; // the number of points that are still searched; they come first
     };
     std::array<Part, CsgBoxTree::deepest> waiting;
     std::size_t parts = 0;
@@ -386,7 +389,7 @@ int columns_of(const FieldBatch& fields) noexcept {
     return fields.wants_gradient() ? 4 : 1;
 }
 
-// Calls take(result, first, count) for each block.
+// Evaluates the points block by block. Calls take(result, first, count) for each block.
 template <class F>
 void for_blocks(StepRunner run, std::span<const CsgStep> steps, const PointBatch& points, F&& take) {
     for (std::int64_t begin = 0; begin < points.count; begin += csg_block) {
@@ -431,8 +434,8 @@ void Csg::place_cells(base::Memory& memory) {
     if (cells_ > 0) boxes_root_ = boxes_.add(boxes.span());
 }
 
-// A point belongs to the model whose box it is farthest inside of, or nearest to: other models are seldom evaluated
-// there.
+// A point belongs to the model whose box contains it most deeply, or, if no box contains it, to the nearest one. Other
+// models are seldom evaluated there.
 std::int32_t Csg::cell_of(const glm::dvec3& point) const noexcept {
     if (cells_ == 0) return 0;
     const std::int32_t nearest = boxes_.nearest(boxes_root_, point, 0.0, infinity, [&](const CsgBoxTree::Node& leaf) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A solid that is put together from others, as an implicit.
+// An implicit function for a solid that is made from other solids.
 #pragma once
 
 #include "base/scratch_pool.h"
@@ -10,20 +10,21 @@ namespace hrbfnpr::implicit {
 
 struct CsgScratch;
 
-// The sheets of a leaf are the smooth pieces of a primitive, or the sheets of a model and the six sides of the box that
-// the model ends at. A sharp minimum or maximum has the sheets of both operands. A blend has a sheet for each pair of
-// its operands' sheets: the blend of the two, which is smooth both where it rounds and where it ends. So if one sheet
-// of a pair is far away, different sheets may be the same function: there is a crease only where gradients differ, too.
+// The sheets of a leaf are the smooth parts of a primitive, or the sheets of a model and the six sides of the model's
+// box. A sharp minimum or maximum has the sheets of both operands. A blend has one sheet for each pair of its operands'
+// sheets, which is the blend of these two. It is smooth also at the ends of the blend. If one sheet of a pair is far
+// away, several sheets may be the same function. So two sheets meet in a crease only where their gradients differ.
 class Csg final : public Implicit, public Sheets {
 public:
-    // The plan, the leaves and the runtime must outlive this. leaves: one for each CsgModel of the plan.
+    // `plan`, `leaves` and `runtime` must outlive this object. `leaves` has one element for each CsgModel of the plan.
     Csg(const base::Runtime& runtime, const CsgPlan& plan, base::Array<const Implicit*>&& leaves,
         const geometry::Bounds& bounds);
     ~Csg() override;
 
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
     [[nodiscard]] bool concurrent() const noexcept override { return concurrent_; }
-    // The cells of all models, one model after the other; a model that has none counts as one cell.
+    // Returns the number of cells of all models together. They are numbered model by model. A model without cells
+    // counts as one cell.
     [[nodiscard]] std::int64_t cells() const noexcept override { return cells_; }
     [[nodiscard]] std::int32_t cell_of(const glm::dvec3& point) const noexcept override;
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return bounds_; }
@@ -39,7 +40,7 @@ public:
 private:
     struct ModelCells {
         const CsgPlace* place;
-        std::int64_t first; // the first cell of the model
+        std::int64_t first; // index of the model's first cell
     };
     void place_cells(base::Memory& memory);
 
@@ -51,7 +52,7 @@ private:
     std::int32_t boxes_root_ = -1;
     std::int64_t cells_ = 0;
     bool concurrent_ = true;
-    mutable base::ScratchPool<CsgScratch> scratch_; // one for each running call
+    mutable base::ScratchPool<CsgScratch> scratch_; // one scratch object for each running call
 };
 
 } // namespace hrbfnpr::implicit

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A plan is made in these steps: 1. frames: the transform of each node of the tree, and whether it is turned inside
-// out; 2. parts: an op for each leaf and each combination of two, with the boxes that bound it; 3. groups of chains of
-// minima and maxima; 4. steps of the root and of each member of a group.
+// A plan is made in four steps: 1. frames: the transform of each node of the tree, and whether the node is turned
+// inside out; 2. parts: an op for each leaf and for each pair of operands, with bounding boxes; 3. groups: chains of
+// minima or of maxima; 4. steps: for the root, and for each member of a group.
 #include "implicit/csg_plan.h"
 
 #include "base/assert.h"
@@ -20,7 +20,7 @@ struct Frame {
     glm::dvec3 translation{0.0};
     double scale = 1.0;
     bool turned = false;
-    std::int32_t first = -1, next = -1; // first child, next sibling
+    std::int32_t first = -1, next = -1; // the first child, and the next sibling
     std::int32_t op = -1;
 };
 
@@ -48,12 +48,12 @@ base::Array<Frame> frames_of(base::Memory& memory, const CsgTree& tree) {
     return frames;
 }
 
-// An op, and the bounds of its solid. `drawn` takes models in the boxes in which they are drawn, `whole` in their
-// regions.
+// An op, with bounds of its solid. For `drawn`, a model's bounds are the box in which it is drawn; for `whole`, the box
+// that contains its whole surface.
 struct BoundedOp {
     CsgOp op;
     CsgReach drawn, whole;
-    std::int32_t models = 0; // number of models below it
+    std::int32_t models = 0; // number of models in the subtree
 
     template <class F>
     void set_reaches(F&& reach) noexcept(noexcept(reach(drawn))) {
@@ -134,7 +134,7 @@ BoundedOp leaf_of(const CsgNode& node, const Frame& frame, const base::Array<Csg
     return part;
 }
 
-// Returns the parts of all nodes; the root's part is the last.
+// Returns a part for each node of the tree. The part of the root is the last.
 base::Array<BoundedOp> parts_of(base::Memory& memory, const CsgTree& tree, const base::Array<CsgModel>& models,
                                 base::Array<CsgPlace>& places) {
     base::Array<Frame> frames = frames_of(memory, tree);
@@ -173,7 +173,7 @@ base::Array<BoundedOp> parts_of(base::Memory& memory, const CsgTree& tree, const
     return parts;
 }
 
-// Finds the operands of a chain of minima, or of maxima, in their order.
+// Finds the operands of a chain of minima or of maxima, in order.
 void find_members(const base::Array<BoundedOp>& parts, const CsgOp& of, base::Array<std::int32_t>& waiting,
                   base::Array<std::int32_t>& found) {
     found.clear();
@@ -217,11 +217,11 @@ CsgGroup group_of(CsgPlan& plan, const base::Array<BoundedOp>& parts, std::int32
     return group;
 }
 
-// Makes groups where they are faster than pairs, or everywhere if `always` is true.
+// Makes groups where they are faster than pairs. If `always` is true, it makes them everywhere.
 void make_groups(CsgPlan& plan, const base::Array<BoundedOp>& parts, bool always) {
     struct Task {
         std::int32_t op;
-        std::int32_t nested; // number of groups that it is in
+        std::int32_t nested; // number of groups that contain the op
     };
     base::Memory& memory = plan.ops.memory();
     base::Array<Task> tasks(memory);
@@ -280,8 +280,8 @@ bool CsgPlan::is_finite() const noexcept {
     });
 }
 
-// The operand that needs more registers comes first. A model comes after an operand that may show that the model is not
-// needed.
+// Orders the operands: the one that needs more registers comes first. A model comes last, because the other operand may
+// show that the model is not needed.
 void CsgPlan::add_steps(std::int32_t op, std::int32_t only, base::Array<CsgStep>& to,
                         base::Array<Pending>& pending) const {
     HRBFNPR_ASSERT(op >= 0 && op < ops.size() && only < ops[op].sheets);
@@ -323,14 +323,14 @@ void CsgPlan::add_steps(std::int32_t op, std::int32_t only, base::Array<CsgStep>
     }
 }
 
-// Divides the items into two halves along the axis on which their centres are farthest apart.
+// Splits the items into two halves along the axis on which their centres are spread most.
 std::int32_t CsgBoxTree::add(std::span<Item> items) {
     if (items.empty()) return -1;
     if (items.size() == 1) {
         nodes_.push_back({items[0].box, items[0].slope, items[0].item, -1});
         return static_cast<std::int32_t>(nodes_.size() - 1);
     }
-    // Returns twice the centre; 0 where a box has no end.
+    // Returns twice the coordinate of the centre, or 0 for a box that is infinite along the axis.
     const auto centre = [](const Item& item, int axis) {
         const double sum = item.box.low[axis] + item.box.high[axis];
         return std::isfinite(sum) ? sum : 0.0;
@@ -355,7 +355,7 @@ std::int32_t CsgBoxTree::add(std::span<Item> items) {
     const std::int32_t second = add(items.subspan(half));
     const Node& a = nodes_[first];
     const Node& b = nodes_[second];
-    // An empty box has low > high. Its distance still follows from its faces.
+    // An empty box has low > high, and distances from it are still computed from its faces.
     const CsgBox box{glm::min(a.box.low, b.box.low), glm::max(a.box.high, b.box.high)};
     nodes_.push_back({box, std::max(a.slope, b.slope), first, second});
     return static_cast<std::int32_t>(nodes_.size() - 1);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The plan by which a tree of solids is evaluated. Complements and differences become signs of leaves, offsets become
-// numbers that are added, and transforms become one map for each leaf. The rest are minima, maxima and blends of two
-// operands at a time, and shells. Steps evaluate these in an order that keeps few intermediate results, so that trees
-// of any depth need no recursion. A chain of minima, or of maxima, becomes a group where that saves time: its members
-// are in a tree of boxes, and only members whose boxes allow a lower value are evaluated.
+// added numbers, and transforms become one map for each leaf. The remaining nodes are shells, and minima, maxima and
+// blends of two operands. Steps evaluate them in an order that needs few intermediate results and no recursion, so
+// trees may be arbitrarily deep. A chain of minima or of maxima becomes a group where this saves time. The members of a
+// group are in a tree of boxes, and only members whose boxes allow a lower value are evaluated.
 #pragma once
 
 #include "implicit/csg_shapes.h"
@@ -14,22 +14,22 @@ namespace hrbfnpr::implicit {
 
 // A leaf that is a model, with the data that the plan needs.
 struct CsgModel {
-    geometry::Bounds bounds; // the box in which its surface is drawn
-    geometry::Bounds region; // the box beyond which it has no surface, whatever its f is
+    geometry::Bounds bounds; // the box in which the model's surface is drawn
+    geometry::Bounds region; // the box that contains the model's whole surface, whatever f is outside
     std::int32_t sheets = 1;
-    double lipschitz = 0.0; // 0: not known
+    double lipschitz = 0.0; // a bound on |grad f|; 0: unknown
 };
 
 struct CsgOp {
     enum class Kind : std::uint8_t { shape, model, minimum, maximum, shell_of_minimum, shell_of_maximum };
 
     Kind kind = Kind::shape;
-    std::int32_t a = -1, b = -1; // operands, which are earlier ops
-    std::int32_t place = -1;     // index of a leaf's place
-    std::int32_t group = -1;     // index of the group that computes the same; -1: none
-    std::int32_t registers = 1;  // number of intermediate results that are kept at a time
+    std::int32_t a = -1, b = -1; // the operands, as indices of earlier ops
+    std::int32_t place = -1;     // index of the leaf's CsgPlace
+    std::int32_t group = -1;     // index of the group that computes this op; -1: no group
+    std::int32_t registers = 1;  // the largest number of intermediate results that this op needs at a time
     std::int32_t sheets = 1;
-    bool merged = false; // the number of sheets exceeds 32 bits: all count as one
+    bool merged = false; // true if the number of sheets exceeds 32 bits; then all sheets count as one
     Blend blend;
     double thickness = 0.0;
     double add = 0.0; // added to the result
@@ -41,20 +41,20 @@ struct CsgOp {
     [[nodiscard]] bool takes_least() const noexcept { return kind == Kind::minimum || kind == Kind::shell_of_minimum; }
 };
 
-// The transform of a leaf: f = scale F(to_local x + shift).
+// The transform of a leaf: f(x) = scale F(to_local x + shift), where F is the leaf's function.
 struct CsgPlace {
     glm::dmat3 to_local{1.0};
     glm::dvec3 shift{0.0};
-    double scale = 1.0; // negative: turned inside out
-    CsgShape shape;     // for a model: the box at which it ends
+    double scale = 1.0; // negative if the leaf is turned inside out
+    CsgShape shape;     // a model's box
     std::int32_t model = -1;
     std::int32_t model_sheets = 0;
     glm::dvec3 centre{0.0}; // centre of the model's box
-    CsgReach reach;         // bounds of the model's box, not turned inside out
+    CsgReach reach;         // bounds of the model's box before it is turned inside out
 
     [[nodiscard]] glm::dvec3 local(const glm::dvec3& p) const noexcept { return to_local * p + shift; }
-    // Returns the distance beyond a model's box, at a place in the model's coordinates, and the nearest side of the
-    // box.
+    // Returns the signed distance from a model's box, positive outside, and writes the nearest side. `p` is in the
+    // model's coordinates.
     [[nodiscard]] double beyond(const glm::dvec3& p, std::int32_t& side) const noexcept {
         return shape.value(p - centre, side);
     }
@@ -64,34 +64,34 @@ struct CsgStep {
     enum class Kind : std::uint8_t { leaf, combine, shell, group };
 
     Kind kind = Kind::leaf;
-    bool a_is_second = false; // operand a is in the register after `to`
+    bool a_is_second = false; // true if operand a is in the register after `to`, and b in `to`
     std::int32_t op = 0;
-    std::int32_t to = 0;     // register
-    std::int32_t sheet = -1; // -1: all sheets
-    // The op that combines this one with its other operand, which is in the register before; -1: none.
+    std::int32_t to = 0;     // index of the register for the result
+    std::int32_t sheet = -1; // index of the only sheet to evaluate; -1: all sheets
+    // The op that combines this step's result with the operand in the register before; -1: no op does.
     std::int32_t combined_by = -1;
 };
 
-// An operand of a group, with separate steps.
+// An operand of a group. It has separate steps.
 struct CsgMember {
     std::int32_t op = 0;
-    std::int32_t first_sheet = 0; // index of its first sheet in the group
+    std::int32_t first_sheet = 0; // index of the member's first sheet in the group
     std::int64_t begin = 0;       // the member's steps are [begin, end)
     std::int64_t end = 0;
 };
 
 struct CsgGroup {
     std::int32_t op = 0;
-    // The roots of two trees of boxes: the first of the members without models, which take little time and come first,
-    // the second of the members with models.
+    // The roots of two trees of boxes. The first tree has the members without models, which are fast to evaluate and
+    // come first. The second has the members with models.
     std::array<std::int32_t, 2> boxes{-1, -1};
-    double size = 0.0; // the largest coordinate of the boxes
+    double size = 0.0; // the largest absolute coordinate of the boxes
 };
 
-// A tree of boxes that bound where the functions of items are low.
+// A tree of boxes. Each box bounds the region where the functions of its items are low.
 class CsgBoxTree {
 public:
-    // For levels above 0, {f <= level} is in the box grown by slope * level.
+    // {f <= level} lies in the box grown by slope * level, for each level above 0.
     struct Item {
         CsgBox box;
         double slope = 1.0;
@@ -100,10 +100,11 @@ public:
     struct Node {
         CsgBox box;
         double slope = 1.0;
-        std::int32_t first = -1, second = -1; // child nodes; if there is no second, `first` is an item
+        // The child nodes; if second < 0, the node is a leaf and `first` is its item.
+        std::int32_t first = -1, second = -1;
 
         [[nodiscard]] bool is_leaf() const noexcept { return second < 0; }
-        // Returns a lower bound of f if places and values are off by at most `slack`; -infinity: no bound is known.
+        // Returns a lower bound of f, for places and values that may be off by `slack`; -infinity if no bound is known.
         [[nodiscard]] double least(const glm::dvec3& p, double slack) const noexcept {
             const glm::dvec3 below = box.low - p;
             const glm::dvec3 above = p - box.high;
@@ -111,15 +112,15 @@ public:
             return distance > 0.0 ? distance / slope : -std::numeric_limits<double>::infinity();
         }
     };
-    // The most nodes that wait during a walk down; 2^16 items are halved 16 times.
+    // The most nodes that wait on the stack during a walk down. It is enough for 2^16 items, which are halved 16 times.
     static constexpr std::size_t deepest = 32;
 
     explicit CsgBoxTree(base::Memory& memory) noexcept : nodes_(memory) {}
 
-    // Adds a tree of some items, which are reordered. Returns its root; -1: there are no items.
+    // Adds a tree of the items, and reorders them. Returns the index of its root, or -1 if there are no items.
     std::int32_t add(std::span<Item> items);
-    // Returns the item with the least bound if it is not above `limit`; -1: all bounds are above. bound_of(node)
-    // returns the bound of a leaf.
+    // Returns the item with the least bound, or -1 if all bounds are above `limit`. bound_of(node) returns the bound of
+    // a leaf node.
     template <class F>
     [[nodiscard]] std::int32_t nearest(std::int32_t root, const glm::dvec3& p, double slack, double limit,
                                        F&& bound_of) const noexcept;
@@ -134,8 +135,8 @@ private:
 struct CsgPlan {
     enum class Groups : std::uint8_t { never, where_they_pay, always };
 
-    // The tree must be valid: parents come before their children, each inner node has a child, and transforms can be
-    // undone. Groups change no bit of a result.
+    // The tree must be valid: parents come before their children, each inner node has a child, and each transform is
+    // invertible. Groups do not change any bit of a result.
     CsgPlan(base::Memory& memory, const CsgTree& tree, const base::Array<CsgModel>& models,
             Groups groups = Groups::where_they_pay);
 
@@ -154,13 +155,13 @@ struct CsgPlan {
         std::int32_t to = 0;
         std::int32_t sheet = -1;
         std::int32_t combined_by = -1;
-        bool done = false; // the steps of its operands were added
+        bool done = false; // true after the steps of its operands were added
         bool a_is_second = false;
     };
-    // Appends the steps of an op. sheet: the only one that is wanted, or -1.
+    // Appends the steps of an op to `to`. `sheet` is the only sheet to evaluate, or -1 for all.
     void add_steps(std::int32_t op, std::int32_t sheet, base::Array<CsgStep>& to, base::Array<Pending>& pending) const;
 
-    // Whether all transforms together can be undone in doubles.
+    // Returns whether the product of all transforms can be inverted in double precision.
     [[nodiscard]] bool is_finite() const noexcept;
     [[nodiscard]] std::int64_t bytes() const noexcept {
         return ops.bytes() + places.bytes() + steps.bytes() + groups.bytes() + members.bytes() + boxes.bytes();
@@ -174,8 +175,9 @@ struct CsgPlan {
     CsgBoxTree boxes;
     std::int64_t root_end = 0; // end of the root's steps
     std::int32_t root_op = 0;
-    std::int32_t nested = 0; // the depth of the deepest nested groups
-    // Bounds of the surface. `drawn` takes models in the boxes in which they are drawn, `whole` in their regions.
+    std::int32_t nested = 0; // the largest depth of nested groups
+    // Bounds of the surface. For `drawn`, a model's bounds are the box in which it is drawn; for `whole`, the box that
+    // contains its whole surface.
     CsgBox drawn, whole;
 };
 

@@ -8,7 +8,8 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-// Coordinates are below 1e150, so this does not overflow. It is faster than std::hypot, and the same everywhere.
+// Coordinates are below 1e150, so the squares do not overflow. This is faster than std::hypot, and gives the same bits
+// on all platforms.
 double root_of_squares(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
 
 BlendJet only_a(double a) noexcept { return {a, 1.0, 0.0, 0.0, 0.0, 0.0}; }
@@ -25,8 +26,8 @@ BlendJet polynomial_minimum(double a, double b, double radius) noexcept {
     return {std::min(a, b) - radius / 6.0 * h * h * h, 0.5 - slope, 0.5 + slope, -bend, bend, -bend};
 }
 
-// Returns max(R, min(a, b)) - (A^p + B^p)^(1/p), A = max(0, R - a), B = max(0, R - b): Ricci's super-ellipse ("A
-// constructive geometry for computer graphics", 1973) of densities that end at the distance R.
+// Returns max(R, min(a, b)) - (A^p + B^p)^(1/p) with A = max(0, R - a) and B = max(0, R - b). This is Ricci's
+// super-ellipse ("A constructive geometry for computer graphics", 1973) for densities that end at the distance R.
 BlendJet elliptic_minimum(double a, double b, double radius, double p) noexcept {
     if (std::isnan(a) || std::isnan(b)) return only_a(a + b);
     const double big_a = std::max(0.0, radius - a);
@@ -49,7 +50,7 @@ BlendJet elliptic_minimum(double a, double b, double radius, double p) noexcept 
             -bend * t_low * s_low * s * s};
 }
 
-// Faces of an empty box count, too, because it may have room once it has grown.
+// Faces of an empty box are included, because the box may become nonempty when it grows.
 CsgBox hull(const CsgBox& a, const CsgBox& b) noexcept {
     return {glm::min(glm::min(a.low, a.high), glm::min(b.low, b.high)),
             glm::max(glm::max(a.low, a.high), glm::max(b.low, b.high))};
@@ -57,14 +58,14 @@ CsgBox hull(const CsgBox& a, const CsgBox& b) noexcept {
 
 CsgBox common(const CsgBox& a, const CsgBox& b) noexcept { return {glm::max(a.low, b.low), glm::min(a.high, b.high)}; }
 
-// A function of the distance from the z axis and of z, with its derivatives.
+// A function of z and of the distance from the z axis, with its derivatives.
 struct Profile {
     double value = 0.0;
     double by_rho = 0.0, by_z = 0.0;
     double by_rho_rho = 0.0, by_rho_z = 0.0, by_z_z = 0.0;
 };
 
-// Returns the jet of a profile. On the axis, the part of the gradient across it has no direction, and is left out.
+// Returns the jet of a profile. On the axis the radial part of the gradient has no direction and is omitted.
 Jet around_axis(const glm::dvec3& p, double rho, const Profile& f) noexcept {
     if (rho == 0.0) return {f.value, {0.0, 0.0, f.by_z}, {0.0, 0.0, 0.0, 0.0, 0.0, f.by_z_z}};
     const double x = p.x / rho;
@@ -102,14 +103,14 @@ Profile tube(double rho, double z, double radius, double tube_radius) noexcept {
     return {length - tube_radius, u, v, v * v / length, -u * v / length, u * u / length};
 }
 
-// Returns the extent along each axis of a disc about the z axis that is moved.
+// Returns half the extent along each axis of a disc about the z axis after the linear map.
 glm::dvec3 reach_of_disc(const glm::dmat3& linear, double radius) noexcept {
     glm::dvec3 reach;
     for (int i = 0; i < 3; ++i) reach[i] = radius * std::hypot(linear[0][i], linear[1][i]);
     return reach;
 }
 
-// Returns the extent along each axis of a ball that is moved.
+// Returns half the extent along each axis of a ball after the linear map.
 glm::dvec3 reach_of_ball(const glm::dmat3& linear, double radius) noexcept {
     glm::dvec3 reach;
     for (int i = 0; i < 3; ++i) reach[i] = radius * glm::length(glm::dvec3(linear[0][i], linear[1][i], linear[2][i]));
@@ -118,7 +119,7 @@ glm::dvec3 reach_of_ball(const glm::dmat3& linear, double radius) noexcept {
 
 CsgBox about(const glm::dvec3& centre, const glm::dvec3& reach) noexcept { return {centre - reach, centre + reach}; }
 
-// Returns the bounds of {side z <= level}, moved; side: 1 or -1.
+// Returns the bounds of {side z <= level} after an affine map. `side` is 1 or -1.
 CsgBox half_space(const glm::dmat3& linear, const glm::dvec3& translation, double level, double side) noexcept {
     HRBFNPR_ASSERT(level >= 0.0 && std::abs(side) == 1.0);
     const glm::dvec3 n = glm::cross(linear[0], linear[1]) * (glm::determinant(linear) < 0.0 ? -1.0 : 1.0);
@@ -134,7 +135,7 @@ CsgBox half_space(const glm::dmat3& linear, const glm::dvec3& translation, doubl
 
 } // namespace
 
-// Finds the singular values: columns are rotated until they are at right angles [Hestenes 1958].
+// Computes the singular values: it rotates pairs of columns until all columns are perpendicular [Hestenes 1958].
 StretchFactors stretch_factors(const glm::dmat3& linear) noexcept {
     const double size = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
     if (!(size > 0.0 && std::isfinite(size))) return {0.0, size};
@@ -165,7 +166,7 @@ BlendJet Blend::minimum(double a, double b) const noexcept {
     return exponent == 0.0 ? polynomial_minimum(a, b, radius) : elliptic_minimum(a, b, radius, exponent);
 }
 
-// A blend differs from the lower of its two operands only where both are within its radius.
+// A blend differs from the lower operand only where both operands are within its radius.
 CsgReach reach_of_minimum(const CsgReach& a, const CsgReach& b, const Blend& blend) noexcept {
     CsgReach reach{hull(a.inside, b.inside), common(a.outside, b.outside), std::max(a.slope, b.slope)};
     if (blend.radius == 0.0) return reach;
@@ -243,7 +244,7 @@ Jet CsgShape::jet(std::int32_t sheet, const glm::dvec3& p) const noexcept {
     return around_axis(p, rho, {side(rho, p.z), slant_.x, slant_.y, 0.0, 0.0, 0.0});
 }
 
-// Returns the bounds of {f <= level}, moved.
+// Returns the bounds of {f <= level} after an affine map.
 CsgBox CsgShape::box(const glm::dmat3& linear, const glm::dvec3& translation, double level) const noexcept {
     switch (kind_) {
     case CsgKind::half_space: return half_space(linear, translation, level, 1.0);
@@ -256,7 +257,8 @@ CsgBox CsgShape::box(const glm::dmat3& linear, const glm::dvec3& translation, do
     }
     default: break;
     }
-    // The side moves outward by level / slant.x, and meets the ends, which have moved along it.
+    // The side of the cone moves outward by level / slant.x. The ends move along the axis by `level`, so the side is
+    // longer.
     const double outward = level / slant_.x;
     const double along = outward * std::abs(slant_.y);
     const glm::dvec3 up = linear[2] * (half_.z + level);

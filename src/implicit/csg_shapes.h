@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Trees of solids as plain data, and their parts: primitives, blends of two functions, and boxes that bound a solid. A
-// primitive is the intersection of one to six smooth sheets: its f is the largest of their signed distances. Inside, f
-// is the distance to the surface. Outside, f is the distance where a sheet is nearest, and less beside edges and
-// corners.
+// Trees of solids as plain data, and their parts: primitives, blends of two functions, and bounding boxes. A primitive
+// is the intersection of one to six smooth sheets, and its f is the largest of their signed distances. Inside the
+// primitive f is the distance to the surface. Outside it f is the distance where the nearest place is within a sheet,
+// and less than the distance where it is an edge or corner.
 #pragma once
 
 #include "base/memory.h"
@@ -17,11 +17,11 @@
 
 namespace hrbfnpr::implicit {
 
-// The values are those of the HRBFNPR_CSG_ constants in hrbfnpr.h, and saved models hold them.
+// The values equal the HRBFNPR_CSG_ constants in hrbfnpr.h. They are stored in files of models.
 enum class CsgKind : std::uint32_t {
     unite,
     intersect,
-    subtract, // all other children from the first
+    subtract, // subtracts all other children from the first
     complement,
     offset, // f - distance
     shell,  // max(f, -f - distance)
@@ -29,14 +29,14 @@ enum class CsgKind : std::uint32_t {
     half_space, // z <= 0
     box,
     sphere,
-    cylinder, // about the z axis, its middle at 0
+    cylinder, // its axis is the z axis, and its middle is at 0
     cone,     // like a cylinder, with `second_radius` at the top
     torus     // about the z axis, its tube of `second_radius`
 };
 inline constexpr auto last_csg_kind = static_cast<std::uint32_t>(CsgKind::torus);
 
 [[nodiscard]] constexpr bool is_leaf(CsgKind kind) noexcept { return kind >= CsgKind::model; }
-// Returns the most children that a node may have; -1: any number from 1.
+// Returns the largest number of children of a node; -1: any number of at least 1.
 [[nodiscard]] constexpr std::int64_t children_of(CsgKind kind) noexcept {
     if (is_leaf(kind)) return 0;
     return kind <= CsgKind::subtract ? -1 : 1;
@@ -46,9 +46,9 @@ inline constexpr std::int64_t most_csg_nodes = 65536;
 
 struct CsgNode {
     CsgKind kind = CsgKind::unite;
-    std::int64_t parent = -1; // an earlier node; children are in the order of the nodes
-    std::int64_t model = -1;  // index of the model of a leaf
-    // The node and all nodes below it are moved by x = linear y + translation, an affine map.
+    std::int64_t parent = -1; // index of an earlier node; children keep the order of the nodes
+    std::int64_t model = -1;  // index of a leaf's model
+    // The affine map x = linear y + translation moves the node and all nodes below it.
     glm::dmat3 linear{1.0};
     glm::dvec3 translation{0.0};
     glm::dvec3 size{1.0};
@@ -56,14 +56,14 @@ struct CsgNode {
     double second_radius = 0.5;
     double height = 1.0;
     double distance = 0.0;
-    double blend = 0.0;    // radius; 0: a crease
-    double exponent = 0.0; // 0: the polynomial blend; else the super-elliptic one
+    double blend = 0.0;    // radius of the blend; 0: a sharp crease
+    double exponent = 0.0; // 0: the polynomial blend; else the exponent of the super-elliptic blend
 };
 
-// The first node is the root.
+// A tree of solids. The first node is the root.
 using CsgTree = base::Array<CsgNode>;
 
-// The least and the most that a linear map stretches a vector by.
+// The smallest and the largest factor by which a linear map stretches a vector.
 struct StretchFactors {
     double least = 1.0, most = 1.0;
 };
@@ -76,27 +76,28 @@ struct BlendJet {
     double by_aa = 0.0, by_ab = 0.0, by_bb = 0.0;
 };
 
-// The rule by which two functions become one.
+// The rule that combines two functions.
 struct Blend {
-    double radius = 0.0;   // 0: the minimum or maximum
-    double exponent = 0.0; // 0: the polynomial blend; else the super-elliptic one
+    double radius = 0.0;   // 0: the plain minimum or maximum
+    double exponent = 0.0; // 0: the polynomial blend; else the exponent of the super-elliptic blend
 
     [[nodiscard]] BlendJet minimum(double a, double b) const noexcept;
     [[nodiscard]] BlendJet maximum(double a, double b) const noexcept {
         const BlendJet m = minimum(-a, -b);
         return {-m.value, m.by_a, m.by_b, -m.by_aa, -m.by_ab, -m.by_bb};
     }
-    // Returns the most that a blend is below the lower of the two functions.
+    // Returns the largest amount by which a blend is below the lower of its two operands.
     [[nodiscard]] double depth() const noexcept {
         return radius * (exponent == 0.0 ? 1.0 / 6.0 : 1.0 - std::pow(0.5, 1.0 / exponent));
     }
-    // Returns the largest factor by which it lengthens gradients.
+    // Returns the largest factor by which a blend lengthens gradients.
     [[nodiscard]] double steepness() const noexcept {
         return exponent == 0.0 || radius == 0.0 ? 1.0 : std::pow(2.0, 1.0 / exponent);
     }
 };
 
-// A box, given by its faces. A face is infinite where a solid has no end, and low > high where the solid is empty.
+// A box, given by its lower and upper corner. Faces are infinite where a solid is unbounded. low > high means that the
+// solid is empty.
 struct CsgBox {
     glm::dvec3 low{-std::numeric_limits<double>::infinity()};
     glm::dvec3 high{std::numeric_limits<double>::infinity()};
@@ -109,11 +110,12 @@ struct CsgBox {
 struct CsgReach {
     CsgBox inside;  // contains {f <= 0}
     CsgBox outside; // contains {f >= 0}
-    // For levels above 0, `inside` grown by slope * level contains {f <= level}; `outside` does so for {f >= -level}.
+    // For each level above 0: `inside`, grown by slope * level, contains {f <= level}, and `outside`, grown by the same
+    // amount, contains {f >= -level}.
     double slope = 1.0;
 
     [[nodiscard]] CsgReach complement() const noexcept { return {outside, inside, slope}; }
-    // Returns the bounds of f + add.
+    // Returns the bounds of the solid f + add.
     [[nodiscard]] CsgReach shifted(double add) const noexcept {
         CsgReach reach = *this;
         (add < 0.0 ? reach.inside : reach.outside) = (add < 0.0 ? inside : outside).grown(slope * std::abs(add));
@@ -132,16 +134,16 @@ class CsgShape {
 public:
     CsgShape() = default;
     explicit CsgShape(const CsgNode& node) noexcept;
-    // Makes a box of this size about 0.
+    // Makes a box of the given size with its centre at 0.
     explicit CsgShape(const glm::dvec3& size) noexcept : kind_(CsgKind::box), half_(0.5 * size) {}
 
     [[nodiscard]] std::int32_t sheets() const noexcept;
-    // Returns f, and writes the sheet that f is.
+    // Returns f, and writes the index of the sheet that equals f.
     [[nodiscard]] double value(const glm::dvec3& p, std::int32_t& sheet) const noexcept;
-    // Returns one sheet, everywhere. Where it has no gradient, for example at the centre of a sphere, gradient and
-    // Hessian are 0.
+    // Returns the value and derivatives of one sheet at any place. Where the sheet has no gradient, for example at the
+    // centre of a sphere, gradient and Hessian are 0.
     [[nodiscard]] Jet jet(std::int32_t sheet, const glm::dvec3& p) const noexcept;
-    // Returns the bounds if the solid is moved by x -> linear x + translation and f becomes scale f.
+    // Returns the bounds after the solid is moved by x -> linear x + translation and f is multiplied by `scale`.
     [[nodiscard]] CsgReach reach(const glm::dmat3& linear, const glm::dvec3& translation, double scale) const noexcept;
 
 private:
@@ -151,10 +153,10 @@ private:
     [[nodiscard]] CsgBox box(const glm::dmat3& linear, const glm::dvec3& translation, double level) const noexcept;
 
     CsgKind kind_ = CsgKind::sphere;
-    glm::dvec3 half_{0.0}; // half the size of a box; z: half the height of a cylinder or cone
+    glm::dvec3 half_{0.0}; // half the size of a box; for a cylinder or cone, z is half the height
     double radius_ = 1.0;
     double second_radius_ = 0.0;
-    glm::dvec2 slant_{1.0, 0.0}; // the normal of a cylinder's or cone's side: outward, up
+    glm::dvec2 slant_{1.0, 0.0}; // the normal of a cylinder's or cone's side: radial and axial component
 };
 
 } // namespace hrbfnpr::implicit

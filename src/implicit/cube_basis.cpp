@@ -18,7 +18,7 @@ void chebyshev(int degree, double x, Chebyshev& t) noexcept {
     for (std::size_t k = 2; k <= static_cast<std::size_t>(degree); ++k) t[k] = 2.0 * x * t[k - 1] - t[k - 2];
 }
 
-// Returns the grid of the n + 1 extrema of T_n along each axis.
+// Returns the grid whose coordinates are the n + 1 extrema of T_n along each axis.
 [[nodiscard]] geometry::VecArray lobatto_grid(base::Memory& memory, int n) {
     geometry::VecArray grid(memory);
     const auto at = [n](int k) { return -std::cos(3.14159265358979323846 * k / n); };
@@ -28,8 +28,8 @@ void chebyshev(int degree, double x, Chebyshev& t) noexcept {
     return grid;
 }
 
-// Returns the matrix of all terms at the points, column-major with columns of `stride` numbers; rows from `count` on
-// are 0.
+// Returns the matrix of all terms (columns) at the points (rows). It is column-major with `stride` numbers per column.
+// Rows from `count` on are 0.
 [[nodiscard]] base::Array<double> vandermonde(const geometry::VecArray& points, std::int64_t count, int degree,
                                               std::int64_t stride, const base::Progress& progress) {
     const std::int64_t columns = CubeBasis::terms(degree);
@@ -49,7 +49,7 @@ struct Matrix {
     int columns;
 };
 
-// Adds the products of the matrix with `count` interleaved vectors to consecutive columns of `to`.
+// Multiplies the matrix with `count` interleaved vectors, and adds the products to consecutive columns of `to`.
 void add_product(const base::Runtime& runtime, const Matrix& matrix, const double* in, double* to, int count) {
     base::Array<double> nobody(runtime.memory, matrix.stride);
     double* out[cube_batch];
@@ -58,7 +58,7 @@ void add_product(const base::Runtime& runtime, const Matrix& matrix, const doubl
         .multiply(matrix.data, matrix.stride, matrix.stride, matrix.columns, in, out, cube_batch);
 }
 
-// Blocked Gaussian elimination with row pivoting of a tall matrix; rows are exchanged in place.
+// Blocked Gaussian elimination with row pivoting for a matrix with more rows than columns. Rows are exchanged in place.
 class Elimination {
 public:
     Elimination(const base::Runtime& runtime, double* matrix, std::int64_t rows, std::int64_t stride,
@@ -68,7 +68,7 @@ public:
         for (std::int64_t i = 0; i < rows; ++i) row_[i] = i;
     }
 
-    // Returns for each row its index before the exchanges.
+    // Returns the original index of each row.
     const base::Array<std::int64_t>& run(const base::Progress& progress) {
         for (std::int64_t begin = 0; begin < columns_; begin += panel) {
             progress.check();
@@ -104,7 +104,7 @@ private:
         for (std::int64_t i = begin; i < end; ++i) to[i] -= factor * from[i];
     }
 
-    // Updates the columns after a panel of full width: U = L^-1 A in the panel's rows, A -= L U below.
+    // Updates the columns after a panel of columns: U = L^-1 A in the panel's rows, and A -= L U below them.
     void update(std::int64_t begin, std::int64_t end) {
         runtime_.parallel.for_chunks(columns_ - end, cube_batch, [&](std::int64_t from, std::int64_t to) {
             double in[panel * cube_batch] = {};
@@ -133,8 +133,8 @@ private:
     base::Array<std::int64_t> row_;
 };
 
-// Replaces the rows of X, which is column-major, by the rows of X (L U)^-1. L and U share one square, and the diagonal
-// of L is 1. Each block of columns first takes in the columns that are done.
+// Replaces X by X (L U)^-1. X is column-major. L and U share one square matrix, and the diagonal of L is 1. Each block
+// of columns first subtracts the contributions of the finished columns.
 class RightSolve {
 public:
     struct Factor {
@@ -152,7 +152,8 @@ public:
     void run(const base::Progress& progress) {
         const std::int64_t n = factor_.size;
         const std::int64_t last = (n - 1) / cube_batch * cube_batch;
-        for (std::int64_t begin = 0; begin < n; begin += cube_batch) { // X U^-1, from the left
+        // X U^-1, computed from the left to the right.
+        for (std::int64_t begin = 0; begin < n; begin += cube_batch) {
             progress.check();
             const std::int64_t end = std::min<std::int64_t>(n, begin + cube_batch);
             subtract_product(0, begin, begin, end);
@@ -162,7 +163,8 @@ public:
                 for (int i = 0; i < rows_; ++i) column(j)[i] *= scale;
             }
         }
-        for (std::int64_t begin = last; begin >= 0; begin -= cube_batch) { // times L^-1, from the right
+        // The product with L^-1, computed from the right to the left.
+        for (std::int64_t begin = last; begin >= 0; begin -= cube_batch) {
             progress.check();
             const std::int64_t end = std::min<std::int64_t>(n, begin + cube_batch);
             subtract_product(end, n, begin, end);
@@ -230,7 +232,7 @@ void CubeBasis::evaluate(int degree, const glm::dvec3& p, double* terms) noexcep
 // Sets to_coefficients_ to the coefficients of the basis times (L U)^-1.
 void CubeBasis::invert(const base::Work& work, const double* factor, std::int64_t factor_stride) {
     to_coefficients_ = triharmonic_coefficients(work.memory, degree_, term_stride(), work);
-    // Rows are independent of each other: a task solves several vectors of rows.
+    // Rows are independent of each other. A task solves several vectors of rows.
     work.for_chunks(term_stride(), rows_at_a_time, [&](std::int64_t begin, std::int64_t end) {
         RightSolve(work.memory, cube_loops(work.instruction_set), {factor, factor_stride, size()},
                    to_coefficients_.data() + begin, term_stride(), static_cast<int>(end - begin))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Triharmonic polynomials up to a total degree on the cube [-1, 1]^3, and as many points in the cube, at which their
-// values determine them. Polynomials are held as sums of Chebyshev products T_a(x) T_b(y) T_c(z), a + b + c <= degree.
+// Triharmonic polynomials up to a total degree on the cube [-1, 1]^3, and nodes: equally many points in the cube, whose
+// values determine a polynomial. Polynomials are stored as sums of Chebyshev products T_a(x) T_b(y) T_c(z) with a + b +
+// c <= degree.
 #pragma once
 
 #include "base/operation.h"
@@ -23,21 +24,22 @@ public:
     [[nodiscard]] static constexpr int terms(int degree) noexcept {
         return (degree + 1) * (degree + 2) * (degree + 3) / 6;
     }
-    // Rows of matrices and lengths of vectors are padded to whole vectors.
+    // Rounds a length up to whole SIMD vectors. Rows of matrices and lengths of vectors are padded in this way.
     [[nodiscard]] static constexpr int padded(int terms) noexcept { return (terms + 7) / 8 * 8; }
 
     [[nodiscard]] int degree() const noexcept { return degree_; }
-    // The numbers of points and of Chebyshev products, and the padded lengths of vectors of each.
+    // The number of nodes, the number of Chebyshev products, and the padded lengths of vectors for both.
     [[nodiscard]] int size() const noexcept { return triharmonic_size(degree_); }
     [[nodiscard]] int terms() const noexcept { return terms(degree_); }
     [[nodiscard]] int stride() const noexcept { return padded(size()); }
     [[nodiscard]] int term_stride() const noexcept { return padded(terms()); }
 
-    // The points; padding points are at the origin.
+    // The nodes. Padding points are at the origin.
     [[nodiscard]] const geometry::VecArray& nodes() const noexcept { return nodes_; }
-    // The matrix from values at the nodes to coefficients, column-major with columns of term_stride().
+    // The matrix that maps values at the nodes to coefficients. It is column-major with term_stride() numbers per
+    // column.
     [[nodiscard]] const base::Array<double>& to_coefficients() const noexcept { return to_coefficients_; }
-    // The transpose of to_coefficients(), with columns of stride().
+    // The transpose of to_coefficients(), with stride() numbers per column.
     [[nodiscard]] const base::Array<double>& to_coefficients_transposed() const noexcept { return transposed_; }
 
     void forget_matrices() noexcept {
@@ -47,8 +49,8 @@ public:
 
     // Writes all terms T_a(x) T_b(y) T_c(z) at a point, in the order of a, then b, then c.
     static void evaluate(int degree, const glm::dvec3& p, double* terms) noexcept;
-    // Returns the matrix from values at the nodes of this basis to values at `count` points, column-major with columns
-    // of padded(count).
+    // Returns the matrix that maps values at the nodes of this basis to values at `count` points. It is column-major
+    // with padded(count) numbers per column.
     [[nodiscard]] base::Array<double> interpolation(const base::Work& work, const geometry::VecArray& points,
                                                     int count) const;
 

@@ -18,7 +18,7 @@ using base::HWY_NAMESPACE::V;
 
 constexpr int highest_degree = 20;
 
-// Number of vectors whose sums are in registers at a time.
+// The number of vectors whose sums are kept in registers at a time.
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON
 constexpr int most_vectors = 16;
 #else
@@ -27,7 +27,7 @@ constexpr int most_vectors = 8;
 
 HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(D())); }
 
-// Elements of a matrix that is never stored: |x_i - x_k + shift|^3.
+// The matrix with the elements |x_i - x_k + shift|^3. It is never stored; elements are computed when needed.
 struct Cubes {
     const double* const* nodes;
     V target[3];
@@ -114,8 +114,8 @@ struct Chebyshev {
     V t[highest_degree + 1];
     V dt[highest_degree + 1];
 
-    // x is in the cube's coordinates. Derivatives are by the caller's coordinates, whose unit is `slope` units of the
-    // cube.
+    // Sets the polynomials and derivatives. `x` is in the cube's coordinates. Derivatives are with respect to the
+    // caller's coordinates; `slope` is the factor from caller's units to cube units.
     HWY_INLINE void set(int degree, V x, V slope) {
         const D d;
         const V x2 = hn::Add(x, x);
@@ -150,7 +150,7 @@ HWY_INLINE hn::Mask<D> lanes_left(std::int64_t left) {
     return hn::FirstN(D(), static_cast<size_t>(left < lanes() ? left : lanes()));
 }
 
-// Each lane sums its own samples in `sums`, which has one vector for each term.
+// Each lane adds the contributions of its samples to `sums`, which has one SIMD vector for each term.
 HWY_INLINE void add_moments(int degree, const Sample& s, V alpha, const V* beta, double* sums) {
     const D d;
     for (int a = 0; a <= degree; ++a)

@@ -8,10 +8,10 @@
 
 namespace hrbfnpr::implicit {
 
-// Number of vectors that a matrix is applied to at a time. They are interleaved: element k of vector v is at
-// [k * cube_batch + v].
+// The number of vectors that a matrix multiplies at a time. The vectors are interleaved: element k of vector v is at [k
+// * cube_batch + v].
 inline constexpr int cube_batch = 16;
-// The most samples that are summed side by side.
+// The largest number of samples that are summed side by side in a SIMD vector.
 inline constexpr int cube_lanes = 8;
 
 struct CubeSamples {
@@ -19,26 +19,27 @@ struct CubeSamples {
     const double* y;
     const double* z;
     std::int64_t count;
-    double centre[3];  // centre of the cube, which is [-1, 1]^3 in its own coordinates
+    double centre[3];  // centre of the cube, whose local coordinates are [-1, 1]^3
     double half_width; // half the width of the cube
 };
 
 struct CubeLoops {
-    // out[v][i] += scale * sum_k |x_i - x_k + shift|^3 in[k][v], v < vectors, begin <= i < end; begin and end are
-    // multiples of 8.
+    // out[v][i] += scale * sum_k |x_i - x_k + shift|^3 in[k][v] for v < vectors and begin <= i < end. `begin` and `end`
+    // are multiples of 8.
     void (*translate)(const double* const* nodes, int begin, int end, int columns, const double* shift, double scale,
                       const double* in, double* const* out, int vectors);
-    // out[v][i] += sum_k matrix[k * stride + i] in[k][v], i < rows
+    // out[v][i] += sum_k matrix[k * stride + i] in[k][v] for i < rows.
     void (*multiply)(const double* matrix, std::int64_t stride, int rows, int columns, const double* in,
                      double* const* out, int vectors);
-    // terms[abc] = sum_j (alpha_j + beta_j . grad) T_a T_b T_c at the samples. The gradient is in the caller's
-    // coordinates, not the cube's. sums: working memory, cube_lanes numbers for each term, aligned to 64 bytes.
+    // terms[abc] = sum_j (alpha_j + beta_j . grad) T_a T_b T_c over the samples j. The gradient is with respect to the
+    // caller's coordinates, not the cube's. `sums` is working memory with cube_lanes numbers for each term, aligned to
+    // 64 bytes.
     void (*moments)(int degree, const CubeSamples& samples, const double* alpha, const double* const* beta,
                     double* sums, double* terms);
     // Adds the value and gradient of sum_abc terms[abc] T_a T_b T_c at the samples.
     void (*evaluate)(int degree, const double* terms, const CubeSamples& samples, double* value,
                      double* const* gradient);
-    // Adds the Hessian of the same sum, xx xy xz yy yz zz.
+    // Adds the Hessian of sum_abc terms[abc] T_a T_b T_c, in the order xx xy xz yy yz zz.
     void (*hessian)(int degree, const double* terms, const CubeSamples& samples, double* const* hessian);
 };
 

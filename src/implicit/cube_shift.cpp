@@ -14,7 +14,7 @@ constexpr std::size_t side = CubeShift::side;
 
 } // namespace
 
-// Uses T_(a+1)(y) = 2 y T_a(y) - T_(a-1)(y), with y = (x + 1) / 2 and 2 x T_k(x) = T_(k+1)(x) + T_(k-1)(x).
+// Uses T_(a+1)(y) = 2 y T_a(y) - T_(a-1)(y) with y = (x + 1) / 2, and 2 x T_k(x) = T_(k+1)(x) + T_(k-1)(x).
 CubeShift::CubeShift(int from, int to) noexcept : from_(from), to_(to), upper_{}, lower_{} {
     upper_[0][0] = 1.0;
     upper_[1][0] = upper_[1][1] = 0.5;

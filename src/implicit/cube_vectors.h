@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Interleaved vectors for cube_loops, and the addresses of their results.
+// Interleaved vectors for the functions of cube_loops.h, and the addresses of the results.
 #pragma once
 
 #include "base/memory.h"
@@ -12,7 +12,7 @@ namespace hrbfnpr::implicit {
 
 class CubeVectors {
 public:
-    // Each vector has at most `columns` numbers.
+    // A vector has at most `columns` numbers.
     explicit CubeVectors(base::Memory& memory, int columns) : in_(memory, std::int64_t{columns} * cube_batch) {}
 
     void add(const double* in, int columns, double* out) noexcept {
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
     [[nodiscard]] int count() const noexcept { return count_; }
     [[nodiscard]] const double* in() const noexcept { return in_.data(); }
-    // Results of vectors beyond count() are written to `unused`.
+    // Returns an address for the result of each vector. Results of vectors beyond count() go to `unused`.
     [[nodiscard]] double* const* out(double* unused) noexcept {
         std::fill(out_.begin() + count_, out_.end(), unused);
         return out_.data();

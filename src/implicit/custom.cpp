@@ -8,14 +8,14 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-// Automatic steps, in diagonals. For a smooth function they keep the errors of truncation (h^2) and of rounding
-// (epsilon / h for a first, epsilon / h^2 for a second derivative) below 1e-7.
+// The default step of differences, in diagonals. For a smooth function it keeps errors below 1e-7: the truncation error
+// h^2, and the rounding error, which is epsilon / h for first and epsilon / h^2 for second derivatives.
 constexpr double gradient_step = 1e-4;
 constexpr double hessian_step = 1e-3;
 
 constexpr auto batch = static_cast<std::size_t>(batch_size);
 
-// Hessian order xx xy xz yy yz zz.
+// The index of element [i][j] in a stored Hessian, whose order is xx xy xz yy yz zz.
 constexpr std::size_t hessian_index[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
 
 // Evaluates one batch of points through the caller's function.
@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    // Calls the caller's function at the points moved by `shift`.
+    // Calls the caller's function at the points, moved by `shift`.
     void call(const glm::dvec3& shift, bool gradient, bool hessian) {
         for (std::size_t i = 0; i < count_; ++i) {
             packed_[3 * i] = points_.x[i] + shift.x;
@@ -53,7 +53,7 @@ private:
                  static_cast<int>(result));
     }
 
-    // Writes the fields that the caller's function provides.
+    // Copies the fields that the caller's function computes.
     void copy_given_fields(const FieldBatch& fields) {
         const bool gradient = fields.wants_gradient() && custom_.has_gradient;
         const bool hessian = fields.wants_hessian() && custom_.has_hessian;
@@ -85,8 +85,8 @@ private:
         }
     }
 
-    // Column `axis` of the Hessian is d grad / d axis. An element off the diagonal is in two columns and becomes their
-    // mean.
+    // Column `axis` of the Hessian is the derivative of the gradient along `axis`. An element off the diagonal is
+    // computed in two columns; the result is their mean.
     void difference_gradient_for_hessian(const FieldBatch& fields) {
         for (double* component : fields.hessian) std::fill_n(component, count_, 0.0);
         for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An implicit function of the caller's. Derivatives that it does not provide are differenced.
+// An implicit function that the caller provides. Missing derivatives are computed by differences.
 #pragma once
 
 #include "implicit/implicit.h"
@@ -20,7 +20,7 @@ struct CustomFunction {
     bool has_hessian = false;
     bool thread_safe = false;
     geometry::Bounds bounds;
-    double difference_step = 0.0; // 0: automatic
+    double difference_step = 0.0; // in diagonals; 0: automatic
 };
 
 class Custom final : public Implicit {
@@ -34,8 +34,8 @@ public:
 
 private:
     CustomFunction custom_;
-    // Callers may share a model. The mutex is recursive because a function may evaluate another model, whose function
-    // evaluates this one.
+    // Several threads may use a model. The mutex is recursive because the function may evaluate another model whose
+    // function evaluates this one.
     mutable std::recursive_mutex call_mutex_;
 };
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The domain of a surface: the zero level of an implicit may end before its bounds do.
+// The domain of a surface says where the surface ends. It may end inside the bounds of the implicit function.
 #pragma once
 
 #include "geometry/vec.h"
 
 namespace hrbfnpr::implicit {
 
-// A signed function on the zero level of f. Marks, lines and rays use it. All calls are safe from several threads.
+// A signed function on the zero set of f, which says where the surface ends. Marks, lines and rays use it. All calls
+// are thread-safe.
 class Domain {
 public:
     Domain() = default;
@@ -14,19 +15,20 @@ public:
     Domain& operator=(const Domain&) = delete;
     virtual ~Domain() = default;
 
-    // The surface exists where this is <= 0, and ends where it is 0. The place has f = 0; the gradient need not be
-    // unit. This may evaluate the surface, so it may throw whatever that throws.
+    // Returns a number that is at most 0 on the surface, 0 at its end, and positive beyond. `place` has f = 0, and the
+    // gradient may have any length. It may evaluate the implicit function, so it may throw the same errors.
     [[nodiscard]] virtual double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const = 0;
-    // Whether beyond() must be called. If not, the place is on the surface, far from every end.
+    // Returns whether beyond() must be called for a place with f = 0. If false, the place is on the surface and far
+    // from its ends.
     [[nodiscard]] virtual bool near_end(const glm::dvec3& /*place*/) const noexcept { return true; }
     [[nodiscard]] bool contains(const glm::dvec3& place, const glm::dvec3& gradient) const {
         return !near_end(place) || beyond(place, gradient) <= 0.0;
     }
-    // Whether the surface may end within a cube, given by its centre and half its side.
+    // Returns whether the surface may end in a cube, given by its centre and half its side.
     [[nodiscard]] virtual bool may_end_near(const glm::dvec3& /*centre*/, double /*half*/) const noexcept {
         return true;
     }
-    // Whether no part of the surface is in the cube; false where that is not certain.
+    // Returns true only if it is certain that a cube contains no part of the surface.
     [[nodiscard]] virtual bool has_no_surface_in(const glm::dvec3& /*centre*/, double /*half*/) const noexcept {
         return false;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Evaluates many points at once: on all threads, and cell by cell where the implicit has cells.
+// Evaluates many points on all threads, cell by cell if the implicit function has cells.
 #pragma once
 
 #include "base/operation.h"
@@ -9,8 +9,8 @@
 
 namespace hrbfnpr::implicit {
 
-// Returns the order in which points are evaluated, cell by cell. If there are no cells, the result is empty, and the
-// points keep their order.
+// Returns the order in which points are evaluated, cell by cell. The result is empty if the implicit function has no
+// cells; then points are evaluated in the given order.
 [[nodiscard]] base::Array<std::int32_t> order_by_cell(const base::Work& work, const Implicit& implicit,
                                                       const geometry::VecArray& points);
 

@@ -12,7 +12,7 @@ namespace hrbfnpr::implicit {
 namespace {
 
 constexpr std::int64_t chunk = 32; // number of cubes in a task
-// Number of cubes in a translation's task; they share the elements of the translation.
+// The number of target cubes in a task of a translation. These cubes share the elements of the translation's matrix.
 constexpr std::int64_t translate_cubes = 256;
 constexpr std::int64_t translate_tasks = 16;
 
@@ -32,7 +32,8 @@ double* FarField::incoming(std::int64_t node, std::int32_t level) noexcept {
     return first_incoming(level) + node * sources_.basis(level).stride();
 }
 
-// Returns the address that the vector of node 0 would have if all nodes were of this level.
+// Returns where the vector of node 0 would be if all nodes were on this level, so that the vector of a node can be
+// found by its index.
 double* FarField::first_incoming(std::int32_t level) noexcept {
     return incoming_.data() + sources_.vectors_begin(level) - tree_.level_begin(level) * sources_.basis(level).stride();
 }
@@ -59,7 +60,7 @@ void FarField::sum(const double* alpha, const geometry::VecArray& beta, double* 
     }
 }
 
-// Makes groups of neighbouring targets. In a group, pairs at the same offset are consecutive.
+// Sorts pairs by groups of neighbouring targets. Within a group, pairs with the same offset are consecutive.
 void FarField::sort_pairs(const base::Progress& progress) {
     pairs_.resize(lists_.far.size());
     group_begin_.push_back(0);
@@ -83,7 +84,8 @@ void FarField::sort_pairs(const base::Progress& progress) {
     lists_.far.release();
 }
 
-// A task takes a group of targets and some of their nodes, so that there are enough tasks on levels of few cubes.
+// A task handles a group of targets and a part of their cubes' nodes. So there are enough tasks even on levels with few
+// cubes.
 void FarField::translate(std::int32_t level, std::int64_t first_group, const base::Progress& progress) {
     const std::int64_t cubes = tree_.level_end(level) - tree_.level_begin(level);
     const std::int64_t groups = (cubes + translate_cubes - 1) / translate_cubes;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-// The sums of hermite_sums.h for the triharmonic kernel and many sources, at the sources themselves. A fast multipole
-// method on the octree of source_tree.h takes a time that grows with N, not N^2.
+// Computes the sums of hermite_sums.h for the triharmonic kernel, where many sources are the targets, too. It uses a
+// fast multipole method on the octree of source_tree.h, so the time grows with N and not with N^2.
 #pragma once
 
 #include "implicit/source_tree.h"
@@ -10,10 +10,10 @@ namespace hrbfnpr::implicit {
 
 class FarField {
 public:
-    // The centres are the sources and the targets. Throws Error{out_of_memory, cancelled}.
+    // `centres` are both sources and targets. Throws Error{out_of_memory, cancelled}.
     FarField(const base::Work& work, const geometry::VecArray& centres, const SourceTreeOptions& options);
 
-    // Writes the sum of equation 1 and its gradient at all centres, in their order. Not thread-safe.
+    // Writes the sum of equation 1 and its gradient at all centres, in the centres' order. Not thread-safe.
     void sum(const double* alpha, const geometry::VecArray& beta, double* value, geometry::VecArray& gradient,
              const base::Progress& progress);
 
@@ -33,10 +33,11 @@ private:
     SourceTree sources_;
     const geometry::Octree& tree_; // the tree of sources_
     geometry::OctreeInteractions lists_;
-    base::Array<SourceTree::Pair> pairs_;   // sorted by group of targets, then direction, then target
-    base::Array<std::int64_t> group_begin_; // for each group of translate_cubes nodes: its first pair in pairs_
-    base::Array<double> incoming_;          // values at the nodes of each cube
-    base::Array<double> value_;             // in the tree's order
+    base::Array<SourceTree::Pair> pairs_; // sorted by group of targets, then direction, then target
+    // For each group of translate_cubes nodes, the index of its first pair in pairs_.
+    base::Array<std::int64_t> group_begin_;
+    base::Array<double> incoming_; // values at the nodes of each cube
+    base::Array<double> value_;    // the results, in the tree's order of centres
     geometry::VecArray gradient_;
     base::Array<std::int64_t> leaves_;
 };

@@ -10,13 +10,13 @@ HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::implicit::HWY_NAMESPACE {
 namespace {
 
-// Each kernel below writes a source's term, with e along d and a vector w of the kernel's own, as
-//   H = factor (iso I + (e w^T + w e^T) / 2).
-// This takes 6 products in place of the 12 of d d^T, beta d^T and d beta^T. The sums do not contain the factor yet.
+// A kernel below writes the term of a source as H = factor (iso I + (e w^T + w e^T) / 2), where e is along d and w is a
+// vector that depends on the kernel. This takes 6 products; d d^T, beta d^T and d beta^T would take 12. The sums here
+// are without `factor`.
 struct Sum {
     V iso;        // added to the diagonal
-    V xx, yy, zz; // e_i w_i
-    V xy, xz, yz; // e_i w_j + e_j w_i
+    V xx, yy, zz; // sums of e_i w_i
+    V xy, xz, yz; // sums of e_i w_j + e_j w_i
 
     static HWY_INLINE Sum zero() {
         const V zero = hn::Zero(D());
@@ -86,9 +86,9 @@ struct Gaussian : Exponential {
     }
 };
 
-// a = -R g t^3 / 3, b = g t^2 / r, c = -g t (1 + s) / r^3 with g = 60 / R^3, s = r / R, t = 1 - s or 0:
-// with u = d / r and p = beta . u,
-//   H / g = -(R / 3 t^3 alpha + t^2 p) I + t ((alpha t r + (1 + s) p) u u^T - t (beta u^T + u beta^T)).
+// With g = 60 / R^3, s = r / R and t = max(1 - s, 0): a = -R g t^3 / 3, b = g t^2 / r, c = -g t (1 + s) / r^3. With u =
+// d / r and p = beta . u: H / g = -(R / 3 t^3 alpha + t^2 p) I + t ((alpha t r + (1 + s) p) u u^T - t (beta u^T + u
+// beta^T)).
 struct WendlandC2 : InverseRoot {
     explicit WendlandC2(double kernel_radius) : radius(kernel_radius), inverse_radius(1.0 / kernel_radius) {}
     double radius, inverse_radius;
@@ -114,12 +114,12 @@ struct WendlandC2 : InverseRoot {
     }
 };
 
-// Adds only in the lanes of the mask. The other lanes are neither read nor written.
+// Adds `sum` in the lanes of the mask. The other lanes of memory are neither read nor written.
 HWY_INLINE void add_to(double* at, V sum, hn::Mask<D> mask) {
     hn::BlendedStore(hn::Add(hn::MaskedLoad(mask, D(), at), sum), mask, D(), at);
 }
 
-// Evaluates the targets of `n` vectors from `at` on; the last vector may be cut short by the end.
+// Evaluates `n` vectors of targets, beginning with target `at`. The last vector may be only partly filled.
 template <int n, class Kernel>
 HWY_INLINE void add_vectors(const Kernel& kernel, const Sources& s, const HessianTargets& t, std::int64_t at) {
     const D d;

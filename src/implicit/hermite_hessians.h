@@ -11,7 +11,7 @@
 
 namespace hrbfnpr::implicit {
 
-// The sums are added to the Hessians (xx xy xz yy yz zz). No pointers alias.
+// The Hessians (xx xy xz yy yz zz), to which the sums are added. Pointers must not alias.
 struct HessianTargets {
     const double* x;
     const double* y;
@@ -20,8 +20,8 @@ struct HessianTargets {
     std::int64_t count;
 };
 
-// Each target's sum is taken in the order of the sources, whatever targets are beside it: cutting the targets into
-// several calls gives the same bits.
+// The sum of a target is always taken in the order of the sources. So the bits of a result do not depend on the other
+// targets of the call.
 using AddHermiteHessians = void (*)(double kernel_radius, const Sources& sources, const HessianTargets& targets);
 
 [[nodiscard]] AddHermiteHessians hermite_hessians(base::InstructionSet set, kernel::Kind kind) noexcept;

@@ -60,7 +60,7 @@ struct Sum {
 
 HWY_INLINE void add_to(double& at, double factor, V sum) { at += factor * hn::GetLane(hn::SumOfLanes(D(), sum)); }
 
-// Adds a range of sources. Lanes beyond its end have weights of 0.
+// Adds a range of sources. Lanes beyond the end of the range have weight 0.
 HWY_INLINE void add_range(const Sources& s, const SourceRange& range, V px, V py, V pz, Sum& sum) {
     const D d;
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));

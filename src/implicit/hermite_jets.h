@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Value, gradient and Hessian of [NPAR equation 1] at once, for the triharmonic kernel and a few scattered targets, as
-// curves need. The lanes of a vector are sources, so that one target fills them, and the three sums share intermediate
-// results. hermite_sums.h and hermite_hessians.h, whose lanes are targets, give the same but for rounding.
+// Value, gradient and Hessian of [NPAR equation 1] together, for the triharmonic kernel and a few scattered targets, as
+// tracing curves needs them. The lanes of a SIMD vector are sources, so a single target fills the vector, and the three
+// sums share intermediate results. hermite_sums.h and hermite_hessians.h, whose lanes are targets, give the same
+// results up to rounding.
 #pragma once
 
 #include "implicit/hermite_sums.h"
@@ -13,7 +14,7 @@ struct SourceRange {
     std::int64_t begin, end;
 };
 
-// The sums are added to the arrays (Hessian xx xy xz yy yz zz). No pointers alias.
+// The arrays to which the sums are added (Hessian xx xy xz yy yz zz). Pointers must not alias.
 struct JetTargets {
     const double* x;
     const double* y;
@@ -24,7 +25,7 @@ struct JetTargets {
     std::int64_t count;
 };
 
-// Each target's sum is taken in the order of the ranges, whatever targets are beside it.
+// The sum of a target is always taken in the order of the ranges, whichever other targets the call has.
 using AddTriharmonicJets = void (*)(const Sources& sources, const SourceRange* ranges, std::int64_t count,
                                     const JetTargets& targets);
 

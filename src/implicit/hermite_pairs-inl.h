@@ -23,30 +23,30 @@ using base::HWY_NAMESPACE::rough_inverse_root;
 using base::HWY_NAMESPACE::smallest_r2;
 using base::HWY_NAMESPACE::V;
 
-// Number of vectors of targets that one source is applied to at a time, as registers allow.
+// The number of target vectors that a source is applied to at a time; it is limited by the number of registers.
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON
 constexpr int unroll = 2;
 #else
 constexpr int unroll = 1;
 #endif
 
-// Number of sources whose radial functions are computed before their terms are summed. One pair after the other is a
-// chain of 70 cycles, and 64 waiting operations (Zen 3's scheduler) cover little more than one chain: a vector takes 24
-// cycles, and 18 with 16 sources at a time.
+// The number of sources whose radial functions are computed before their terms are summed. One source after another
+// would be a chain of 70 cycles, and the 64 waiting operations of Zen 3's scheduler cover little more than one chain.
+// Then a vector takes 24 cycles; with 16 sources at a time it takes 18.
 #if HWY_TARGET == HWY_AVX2
 constexpr std::int64_t ahead = 16;
 #else
 constexpr std::int64_t ahead = 1;
 #endif
 
-// The radial function 1 / r, which some kernels are made of.
+// The radial function 1 / r, from which some kernels are computed.
 struct InverseRoot {
     static HWY_INLINE V at_least(V r2) { return hn::Max(r2, hn::Set(D(), smallest_r2)); }
     HWY_INLINE V begin(V r2) const { return rough_inverse_root(at_least(r2)); }
     HWY_INLINE V finish(V r2, V begun) const { return finish_inverse_root(at_least(r2), begun); }
 };
 
-// The radial function exp(-r^2 / (2 radius^2)), which the Gaussian is made of.
+// The radial function exp(-r^2 / (2 radius^2)), from which the Gaussian kernel is computed.
 struct Exponential {
     explicit Exponential(double radius) : falloff(1.0 / (radius * radius)) {}
     double falloff;
@@ -55,7 +55,7 @@ struct Exponential {
     HWY_INLINE V finish(V, V begun) const { return hn::Exp(D(), hn::Max(begun, hn::Set(D(), -700.0))); }
 };
 
-// The targets of `n` vectors.
+// The coordinates of `n` vectors of targets.
 template <int n>
 struct TargetVectors {
     const V* x;
@@ -74,7 +74,7 @@ struct TargetVectors {
     }
 };
 
-// Adds the sources [first, first + count), after computing all their radial functions.
+// Computes the radial functions of the sources [first, first + count), and then adds their terms.
 template <int n, class Weights, class Kernel, class Sum>
 HWY_INLINE void sum_some(const Kernel& kernel, const Sources& s, std::int64_t first, std::int64_t count,
                          const TargetVectors<n>& to, Sum* sum) {
@@ -96,9 +96,9 @@ HWY_INLINE void sum_some(const Kernel& kernel, const Sources& s, std::int64_t fi
     }
 }
 
-// Sums all sources at the targets. kernel.add() adds a pair, given its squared distance, the result of kernel.begin()
-// and finish() for it, and its distances along the axes. Sum::zero() starts a sum, and Weights::of() loads the weights
-// of a source.
+// Sums all sources at the targets. kernel.begin() and finish() compute the radial function of a pair, and kernel.add()
+// adds the pair's term from its squared distance, that function and its differences along the axes. Sum::zero() starts
+// a sum, and Weights::of() loads the weights of a source.
 template <int n, class Weights, class Kernel, class Sum>
 HWY_INLINE void sum_up(const Kernel& kernel, const Sources& s, const V* x, const V* y, const V* z, Sum* sum) {
     const TargetVectors<n> to{x, y, z};

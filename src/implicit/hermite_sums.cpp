@@ -44,7 +44,7 @@ struct Triharmonic : InverseRoot {
     }
 };
 
-// Adds a source's term for any kernel, given its phi, a and b.
+// Adds the term of a source for any kernel, given the kernel's phi, a and b.
 HWY_INLINE void add_radial(V phi, V a, V b, V dx, V dy, V dz, const Weights& w, Sum& sum) {
     const V s = hn::MulAdd(dz, w.z, hn::MulAdd(dy, w.y, hn::Mul(dx, w.x)));
     sum.value = hn::NegMulAdd(a, s, hn::MulAdd(phi, w.alpha, sum.value));
@@ -106,7 +106,7 @@ HWY_INLINE void add_full(const Kernel& kernel, const Sources& s, const Targets& 
     }
 }
 
-// Adds only in the lanes of the mask. The other lanes are neither read nor written.
+// Adds `sum` in the lanes of the mask. The other lanes of memory are neither read nor written.
 HWY_INLINE void add_some(double* at, V sum, hn::Mask<D> mask) {
     hn::BlendedStore(hn::Add(hn::MaskedLoad(mask, D(), at), sum), mask, D(), at);
 }
@@ -153,7 +153,7 @@ struct TriharmonicValue : InverseRoot {
     }
 };
 
-// Like `unroll`; values alone need fewer registers.
+// Replaces `unroll` where only values are computed, because they need fewer registers.
 constexpr int values_unroll = 2;
 
 void add_values(const Sources& sources, const double* x, const double* y, const double* z, double* value,

@@ -25,7 +25,7 @@ struct Sources {
     std::int64_t count;
 };
 
-// The sums are added to value and gradient. No pointers alias.
+// The arrays to which the sums are added. Pointers must not alias.
 struct Targets {
     const double* x;
     const double* y;
@@ -37,8 +37,8 @@ struct Targets {
     std::int64_t count;
 };
 
-// Each target's sum is taken in the order of the sources, whatever targets are beside it: cutting the targets into
-// several calls gives the same bits.
+// The sum of a target is always taken in the order of the sources. So the bits of a result do not depend on the other
+// targets of the call.
 using AddHermiteSums = void (*)(double kernel_radius, const Sources& sources, const Targets& targets);
 
 [[nodiscard]] AddHermiteSums hermite_sums(base::InstructionSet set, kernel::Kind kind) noexcept;

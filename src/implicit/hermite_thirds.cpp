@@ -77,9 +77,9 @@ struct WendlandC2 {
 };
 
 struct Sum {
-    V iso, xx, yy, zz, xy, xz, yz; // as in hermite_hessians.cpp; off the diagonal twice the Hessian
-    V vx, vy, vz;                  // sum of v, for sym(delta, v)
-    V third[10];                   // sym(w, d, d)
+    V iso, xx, yy, zz, xy, xz, yz; // as in hermite_hessians.cpp; off-diagonal sums are twice the Hessian's element
+    V vx, vy, vz;                  // the sum of v in sym(delta, v)
+    V third[10];                   // the sum of sym(w, d, d)
 };
 
 HWY_INLINE Sum zero_sum() {
@@ -140,7 +140,7 @@ HWY_INLINE void add_source(const Kernel& kernel, double smoothing, const Sources
               hn::MulSub(along, dz, hn::Mul(k.c, bz)), sum.third);
 }
 
-// Adds only in the lanes of the mask. The other lanes are neither read nor written.
+// Adds `sum` in the lanes of the mask. The other lanes of memory are neither read nor written.
 HWY_INLINE void add_to(double* at, V sum, hn::Mask<D> mask) {
     hn::BlendedStore(hn::Add(hn::MaskedLoad(mask, D(), at), sum), mask, D(), at);
 }

@@ -17,8 +17,8 @@
 
 namespace hrbfnpr::implicit {
 
-// The sums are added to the arrays. No pointers alias.
-// Orders: xx xy xz yy yz zz and xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.
+// The arrays to which the sums are added, in the orders xx xy xz yy yz zz and xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.
+// Pointers must not alias.
 struct ThirdTargets {
     const double* x;
     const double* y;
@@ -28,13 +28,13 @@ struct ThirdTargets {
     std::int64_t count;
 };
 
-// Each target's sum is taken in the order of the sources, whatever targets are beside it.
+// The sum of a target is always taken in the order of the sources, whichever other targets the call has.
 using AddHermiteThirds = void (*)(double kernel_radius, double smoothing, const Sources& sources,
                                   const ThirdTargets& targets);
 
 [[nodiscard]] AddHermiteThirds hermite_thirds(base::InstructionSet set, kernel::Kind kind) noexcept;
 
-// Computes the same sums in plain code, written as the equations. Tests compare the two.
+// Computes the same sums as AddHermiteThirds with plain code that follows the equations. Tests compare the two.
 void add_hermite_thirds_plainly(kernel::Kind kind, double kernel_radius, double smoothing, const Sources& sources,
                                 const ThirdTargets& targets) noexcept;
 

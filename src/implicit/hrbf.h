@@ -25,27 +25,27 @@ struct HrbfData {
     double scale = 1.0;
     geometry::Bounds bounds;             // bounds of the samples, in the caller's coordinates
     double spacing = 0.0;                // mean distance to the nearest other sample, caller's unit; 0 for one sample
-    base::Array<double> sample_position; // 3N, packed x y z, the caller's coordinates
-    base::Array<double> sample_normal;   // 3N, unit
-    geometry::VecArray centre_position;  // N, normalised: (sample - centre) / scale
-    geometry::VecArray beta;             // N
-    base::Array<double> alpha;           // N
-    base::Array<double> polynomial;      // coefficients of kernel/polynomial.h's basis at normalised points
+    base::Array<double> sample_position; // 3N numbers, packed x y z, in the caller's coordinates
+    base::Array<double> sample_normal;   // 3N numbers, unit vectors
+    geometry::VecArray centre_position;  // N normalised positions: (sample - centre) / scale
+    geometry::VecArray beta;             // N gradient weights
+    base::Array<double> alpha;           // N value weights
+    base::Array<double> polynomial;      // coefficients of the basis of kernel/polynomial.h, for normalised points
 
     [[nodiscard]] std::int64_t count() const noexcept { return alpha.size(); }
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };
 
-// Normalises one coordinate of a query or a sample. Both use this formula, so that a query at a sample is exactly at
-// its centre.
+// Normalises a coordinate of a query or of a sample. The same formula serves both, so that a query at a sample
+// coincides exactly with its centre.
 [[nodiscard]] inline double normalised(double coordinate, double centre, double scale) noexcept {
     return (coordinate - centre) / scale;
 }
 
-// Does the same as Hrbf::evaluate, for data that no Hrbf owns yet.
+// Does the same as Hrbf::evaluate for data that does not belong to an Hrbf yet.
 void evaluate(base::InstructionSet set, const HrbfData& data, const PointBatch& points,
               const FieldBatch& fields) noexcept;
-// Does the same as Hrbf::evaluate in plain code. Tests compare the vectorised code with it.
+// Does the same as Hrbf::evaluate with plain code. Tests compare the vectorised code with it.
 void evaluate(const HrbfData& data, const PointBatch& points, const FieldBatch& fields) noexcept;
 
 class Hrbf final : public Implicit {

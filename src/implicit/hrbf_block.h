@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The steps around the sums of an HRBF: normalisation and polynomial before them, and the way back after.
+// The steps before and after the sums of an HRBF: normalisation, polynomial, and the conversion of results to the
+// caller's coordinates.
 #pragma once
 
 #include "implicit/hermite_sums.h"
@@ -7,11 +8,11 @@
 
 namespace hrbfnpr::implicit {
 
-// Number of points whose results are accumulated together: they stay in the first-level cache while the sums go through
-// all centres.
+// The number of points whose results are accumulated together. The results stay in the first-level cache while all
+// centres are summed.
 inline constexpr std::int64_t block_size = 64;
 
-// Returns the centres in the form that the sums take.
+// Returns the centres in the form that the sum functions take.
 [[nodiscard]] inline Sources sources_of(const HrbfData& data) noexcept {
     return {data.centre_position.x.data(),
             data.centre_position.y.data(),
@@ -23,7 +24,7 @@ inline constexpr std::int64_t block_size = 64;
             data.count()};
 }
 
-// Normalised points, and their sums so far.
+// Normalised points, and their unfinished sums.
 struct Block {
     double x[block_size];
     double y[block_size];

@@ -19,7 +19,7 @@ PointBatch slice(const PointBatch& points, std::int64_t begin, std::int64_t end)
 
 double Implicit::diagonal() const noexcept {
     const double diagonal = bounds().diagonal();
-    return diagonal > 0.0 ? diagonal : 1.0; // a single sample: a plane of no size
+    return diagonal > 0.0 ? diagonal : 1.0; // a single sample has a diagonal of 0
 }
 
 } // namespace hrbfnpr::implicit

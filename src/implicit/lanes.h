@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Tools for evaluators that combine several functions: PointLanes gathers some points of a batch, so that one function
-// is evaluated at all of them at once; FieldLanes holds the resulting fields; a Jet holds the fields at one point.
+// Tools for functions that combine several other functions. PointLanes gathers some points of a batch, so that a
+// function is evaluated at all of them at once. FieldLanes holds the resulting fields. A Jet holds the fields at one
+// point.
 #pragma once
 
 #include "base/assert.h"
@@ -11,7 +12,7 @@ namespace hrbfnpr::implicit {
 template <std::size_t size>
 struct PointLanes {
     double at[3][size];
-    std::int32_t index[size]; // in the batch
+    std::int32_t index[size]; // each point's index in the batch
     std::int64_t count = 0;
 
     void add(const glm::dvec3& point, std::int64_t i) noexcept {
@@ -22,7 +23,7 @@ struct PointLanes {
     [[nodiscard]] PointBatch points() const noexcept { return {at[0], at[1], at[2], count}; }
 };
 
-// Calls visit(c, column) for the columns that are wanted: 0 is the value, 1 to 3 are the gradient, 4 to 9 the Hessian.
+// Calls visit(c, column) for each wanted column: 0 is the value, 1 to 3 are the gradient, 4 to 9 the Hessian.
 template <class Visit>
 void for_columns(const FieldBatch& fields, Visit&& visit) {
     if (fields.value != nullptr) visit(std::size_t{0}, fields.value);
@@ -30,11 +31,12 @@ void for_columns(const FieldBatch& fields, Visit&& visit) {
     for (std::size_t c = 0; fields.wants_hessian() && c < 6; ++c) visit(4 + c, fields.hessian[c]);
 }
 
-// A function at a point, or a weight. It has no initializers, so that a block of many is not cleared.
+// The value and derivatives of a function, or of a weight, at a point. Members have no initializers, so that large
+// blocks are not cleared.
 struct Jet {
     double value;
     glm::dvec3 gradient;
-    std::array<double, 6> hessian; // in the order of FieldBatch
+    std::array<double, 6> hessian; // in the order xx xy xz yy yz zz
 
     // Returns column c, numbered as in for_columns.
     [[nodiscard]] double& operator[](std::size_t c) noexcept {
@@ -48,7 +50,7 @@ struct Jet {
     }
 };
 
-// Value, gradient and Hessian of each lane.
+// The value, gradient and Hessian of several points, one in each lane.
 template <std::size_t size>
 struct FieldLanes {
     double field[10][size];
@@ -74,7 +76,7 @@ struct FieldLanes {
         for (int c = 0; c < 3 && columns > 1; ++c) field[1 + c][k] = jet.gradient[c];
         for (std::size_t c = 0; c < 6 && columns > 4; ++c) field[4 + c][k] = jet.hessian[c];
     }
-    // Moves lane k to element index[k] of the fields that are wanted.
+    // Copies lane k to element index[k] of the fields that are wanted.
     void scatter(const std::int32_t* index, std::int64_t count, const FieldBatch& to) const noexcept {
         HRBFNPR_ASSERT(count <= std::int64_t{size});
         for_columns(to, [&](std::size_t c, double* column) {

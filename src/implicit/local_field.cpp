@@ -13,38 +13,42 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-// The least number of cubes between a centre and a cube whose polynomial contains that centre. With one cube, the same
-// accuracy took twice the degrees.
+// The polynomial of a cube contains a centre only if at least this many cubes lie between them. With one cube, the same
+// accuracy needs twice the degree.
 constexpr int separation = 2;
 
-// Cubes with more near centres than this are divided by default. At this number the near pairs cost slightly more time
-// than the polynomial, because dividing also takes time. With many centres, making the cubes takes longer than
-// evaluating a million points.
+// By default, cubes with more near centres than this are divided. At this number the near pairs take slightly more time
+// than the polynomial; dividing earlier does not pay, because it also takes time. With many centres, making the cubes
+// takes longer than evaluating a million points.
 constexpr std::int64_t many_centres = 16384;
 [[nodiscard]] std::int64_t most_near(std::int64_t centres) noexcept { return centres < many_centres ? 250 : 500; }
-// A child of a cube is made if there are centres within this many of its half widths from its middle.
+// A child of a cube is made if there is a centre within this distance of the child's middle, in half widths of the
+// child.
 constexpr double beside = 1.4;
-// A node of the tree with fewer centres than this share of a cube's number of nodes acts on the cube directly, centre
-// by centre, because a translation costs more.
+// A node of the tree acts on a cube directly, centre by centre, if it has fewer centres than this share of the cube's
+// number of interpolation nodes. Then a translation would take more time.
 constexpr double worth_a_node = 0.1;
-// The most centres in an undivided cube of the tree of centres.
+// A cube of the tree of centres with at most this many centres is not divided.
 constexpr std::int64_t sources_in_leaf = 24;
-// The margin around the centres, as a share of their width: a surface bulges beyond its samples.
+// The margin around the centres, as a share of their width. It is needed because a surface bulges beyond its samples.
 constexpr double margin = 0.2;
 
-constexpr std::int64_t cells_a_task = 32;      // number of cells in a task
-constexpr std::int64_t translate_cells = 1024; // number of cells that share the elements of a translation
+constexpr std::int64_t cells_a_task = 32; // number of cells that a task handles
+// The number of cells in a task of a translation. These cells share the elements of the translation's matrix.
+constexpr std::int64_t translate_cells = 1024;
 constexpr std::int64_t local_tasks = 24;
 
-// The error of the sums is proportional to this for the weights of smooth functions.
+// Returns the root mean square of the weights. For weights of a smooth function, the error of the sums is proportional
+// to it.
 [[nodiscard]] double root_mean_square(const double* alpha, const geometry::VecArray& beta) noexcept {
     double sum = 0.0;
     for (std::int64_t i = 0; i < beta.size(); ++i) sum += alpha[i] * alpha[i] + glm::dot(beta[i], beta[i]);
     return std::sqrt(sum / static_cast<double>(std::max<std::int64_t>(1, beta.size())));
 }
 
-// The degrees in source_tree.cpp are set for weights of 0.2, those of a rough surface; smaller weights need lower
-// degrees. The power was found by trying fits of 512 to 65 536 samples.
+// Returns the tolerance that chooses the degrees. The degrees in source_tree.cpp are set for weights of 0.2, as a rough
+// surface has; smaller weights need lower degrees. The power was found by experiments with fits of 512 to 65 536
+// samples.
 [[nodiscard]] double tolerance_of(const LocalFieldOptions& options, double weight) noexcept {
     return options.tolerance * std::pow(0.2 / std::max(1e-6, weight), 0.7);
 }
@@ -115,7 +119,7 @@ private:
         });
     }
 
-    // Adds the polynomials of the cells of the level above to the polynomials of their children.
+    // Adds the polynomials of the level above to the polynomials of its children.
     void pass_down(std::int32_t level, const base::Progress& progress) {
         const CubeShift shift(field_.sources_.basis(level - 1).degree(), field_.sources_.basis(level).degree());
         runtime_.parallel.for_chunks(
@@ -131,7 +135,7 @@ private:
             });
     }
 
-    // Returns the pairs of cells [first, last) of the level and the nodes that act on them by translation; pairs at the
+    // Returns pairs of a cell in [first, last) of the level and a node that acts on it by translation. Pairs with the
     // same offset are consecutive.
     [[nodiscard]] base::Array<SourceTree::Pair> pairs_of(std::int64_t first, std::int64_t last) const {
         base::Array<SourceTree::Pair> pairs(runtime_.memory);
@@ -148,7 +152,7 @@ private:
         return pairs;
     }
 
-    // A task takes a group of cells and some of their nodes, so that there are enough tasks and no task takes long.
+    // A task handles a group of cells and a part of their nodes, so that there are enough tasks and all are short.
     void translate(std::int32_t level, const base::Progress& progress) {
         const std::int64_t rows = field_.sources_.basis(level).stride();
         for (std::int64_t first = 0; first < end_ - begin_; first += translate_cells) {
@@ -164,7 +168,7 @@ private:
         }
     }
 
-    // Adds the nodes that act directly, by their few centres, to the values at the nodes of cells.
+    // Adds, to the values at the nodes of cells, the sums over the few centres of each tree node that acts directly.
     void add_direct_nodes(std::int32_t level, const base::Progress& progress) {
         const CubeBasis& basis = field_.sources_.basis(level);
         const double half = tree_.half_width(level);
@@ -185,8 +189,8 @@ private:
         });
     }
 
-    // Returns the centres of the next candidates that act directly, as long as they are consecutive, and moves `i` past
-    // these candidates.
+    // Returns the range of centres of the next candidates that act directly, as long as their centres are consecutive.
+    // Moves `i` past these candidates.
     [[nodiscard]] SourceRange direct_range(std::int64_t& i, std::int64_t end) const noexcept {
         SourceRange range{0, 0};
         for (; i < end; ++i) {
@@ -199,8 +203,8 @@ private:
         return range;
     }
 
-    // Gives cells children, whose candidates are the nodes near the cell. A cell that serves places itself keeps its
-    // near centres.
+    // Gives children to cells. The candidates of a child are the tree nodes near the cell. A cell that has places
+    // outside its children keeps its near centres.
     void divide(std::int32_t level, const base::Progress& progress) {
         base::Array<std::int64_t> next_begin(runtime_.memory);
         base::Array<std::int64_t> next(runtime_.memory);
@@ -220,7 +224,8 @@ private:
         return count;
     }
 
-    // Whether there are centres in a cell or just beside it. Elsewhere few places are evaluated.
+    // Returns whether a child cell is needed: whether it has centres in it or just beside it. Elsewhere few places are
+    // evaluated.
     [[nodiscard]] bool is_wanted(std::int64_t parent, const Cell& cell) const noexcept {
         const glm::dvec3 middle = field_.centre(cell);
         const double reach = beside * tree_.half_width(cell.level);
@@ -262,8 +267,8 @@ private:
         field_.cells_[begin_ + k].octants = octants;
     }
 
-    // Adds the nodes near a cell as candidates of a child: nodes of the child's level, and larger ones without
-    // children.
+    // Adds the tree nodes near a cell as candidates of a child: nodes of the child's level, and childless nodes of
+    // higher levels.
     void add_candidates(std::int64_t parent, base::Array<std::int64_t>& next, const base::Progress& progress) const {
         for (std::int64_t i = candidate_begin_[parent]; i < candidate_begin_[parent + 1]; ++i) {
             if (kind_[i] != near) continue;
@@ -290,7 +295,7 @@ private:
         cell.near_end = field_.near_.size();
     }
 
-    // Makes the polynomials of the level's cells from incoming_.
+    // Computes the polynomials of the level's cells from the values in incoming_.
     void make_terms(std::int32_t level, const base::Progress& progress) {
         const CubeBasis& basis = field_.sources_.basis(level);
         std::int64_t size = field_.terms_.size();
@@ -318,13 +323,13 @@ private:
     CubeLoops loops_;
     bool translates_;
     std::int64_t most_near_;
-    std::int64_t above_begin_ = 0;              // first cell of the level above
-    std::int64_t begin_ = 0;                    // first cell of this level
+    std::int64_t above_begin_ = 0;              // index of the first cell of the level above
+    std::int64_t begin_ = 0;                    // index of the first cell of this level
     std::int64_t end_ = 0;                      // end of this level
-    base::Array<std::int64_t> candidate_begin_; // for each cell of the level: its first candidate
-    base::Array<std::int64_t> candidates_;      // nodes of the tree that may act on a cell, given by its parent
+    base::Array<std::int64_t> candidate_begin_; // for each cell of the level, the index of its first candidate
+    base::Array<std::int64_t> candidates_;      // the tree nodes that may act on a cell; its parent cell chooses them
     base::Array<Kind> kind_;                    // how each candidate acts on the cell
-    base::Array<double> incoming_; // for each cell of the level: values at its nodes of the centres that act on it
+    base::Array<double> incoming_; // for each cell of the level, the sum at its nodes over the centres that act on it
 };
 
 LocalField::LocalField(const base::Work& work, const geometry::VecArray& centres, const double* alpha,

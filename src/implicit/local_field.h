@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The sums of hermite_sums.h for the triharmonic kernel at any places near the centres, in a time that hardly depends
-// on the number of centres. Space is divided into cubes. In each cube the sum over far centres is a stored polynomial,
-// and near centres are summed one by one. This is the downward half of a fast multipole method, with cubes of places in
-// place of cubes of centres; source_tree.h has the upward half.
+// Computes the sums of hermite_sums.h for the triharmonic kernel at any places near the centres, in a time that hardly
+// depends on the number of centres. Space is divided into cubes. In each cube, the sum over far centres is a stored
+// polynomial, and near centres are summed one by one. This is the downward half of a fast multipole method whose
+// targets are all places in the cubes. source_tree.h has the upward half.
 #pragma once
 
 #include "implicit/cube_loops.h"
@@ -13,8 +13,8 @@
 
 namespace hrbfnpr::implicit {
 
-// The number of bits set in each byte. It replaces std::popcount, which is a function call where not every processor
-// has the instruction.
+// The number of bits set in each byte. It replaces std::popcount, which is a slow function call if the compiler may not
+// assume the processor's instruction.
 inline constexpr std::array<std::uint8_t, 256> bits_of_byte = [] {
     std::array<std::uint8_t, 256> bits{};
     for (std::size_t byte = 1; byte < bits.size(); ++byte)
@@ -24,11 +24,12 @@ inline constexpr std::array<std::uint8_t, 256> bits_of_byte = [] {
 
 struct LocalFieldOptions {
     double spacing = 1.0; // mean spacing of the centres
-    // The error of values, relative to the centres' diagonal. The error of gradients may be a hundred times as large.
+    // The allowed error of values, relative to the diagonal of the centres. The error of gradients may be 100 times as
+    // large.
     double tolerance = 1e-9;
-    int finer = 0; // number of steps of two degrees; each divides the error by about 10
-    // With fewer centres, all far centres act one by one on cubes. The data that cubes need to act as a whole takes a
-    // second of two cores (AVX2) to make, and saves less.
+    int finer = 0; // the number of times that the degree is raised by 2; each time divides the error by about 10
+    // With fewer centres than this, each far centre acts on the cubes separately. Otherwise groups of far centres act
+    // together, for which data are made that take a second on two cores (AVX2).
     std::int64_t worth_translations = 32768;
     std::int64_t most_near = 0; // cubes with more near centres are divided; 0: the best number for millions of places
 };
@@ -39,11 +40,11 @@ public:
     LocalField(const base::Work& work, const geometry::VecArray& centres, const double* alpha,
                const geometry::VecArray& beta, const LocalFieldOptions& options);
 
-    // Returns the cube that a point lies in, in [0, cubes()), or -1 outside of all cubes.
+    // Returns the index of the cube that contains a point, in [0, cubes()), or -1 if the point is outside all cubes.
     [[nodiscard]] std::int32_t cube_of(const glm::dvec3& point) const noexcept;
     [[nodiscard]] std::int64_t cubes() const noexcept { return cells_.size(); }
 
-    // Add the sums, or the sums and their Hessians, at places in the cube. Thread-safe.
+    // The first function adds the sums at places in the cube; the second also adds Hessians. Thread-safe.
     void add(std::int32_t cube, const Targets& targets) const noexcept;
     void add_jets(std::int32_t cube, const JetTargets& targets) const noexcept;
 
@@ -51,13 +52,13 @@ public:
 
 private:
     struct Cell {
-        std::array<std::int32_t, 3> cell; // position in the level's grid
+        std::array<std::int32_t, 3> cell; // the cell's position in the grid of its level
         std::int32_t level;
         std::int32_t first_child; // children are consecutive, in the order of octants
-        std::uint32_t octants;    // a bit for each child that exists; this cell serves the octants without one
-        std::int64_t near_begin;  // range in near_
+        std::uint32_t octants;    // a bit for each child that exists; the cell itself serves the other octants
+        std::int64_t near_begin;  // the beginning of its range in near_
         std::int64_t near_end;
-        std::int64_t terms; // start of its polynomial in terms_; -1: it has none
+        std::int64_t terms; // the beginning of its polynomial in terms_; -1: it has no polynomial
 
         [[nodiscard]] bool serves() const noexcept { return octants != 255; }
         [[nodiscard]] bool has_child(int octant) const noexcept { return (octants >> octant & 1) != 0; }
@@ -73,8 +74,8 @@ private:
 
     base::InstructionSet set_;
     SourceTree sources_;
-    base::Array<Cell> cells_;       // level by level
-    base::Array<SourceRange> near_; // ranges of centres in the tree's order
+    base::Array<Cell> cells_;       // sorted by level
+    base::Array<SourceRange> near_; // ranges of near centres, in the order of the tree
     base::Array<double> terms_;
 };
 

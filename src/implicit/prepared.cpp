@@ -15,14 +15,15 @@ namespace hrbfnpr::implicit {
 namespace {
 
 constexpr std::int64_t fewest_centres = 512;
-// The measured error, a maximum over some hundred places, may be this many times the tolerance before the field is made
-// finer, or given up.
+// The measured error is the maximum over about a hundred places. If it exceeds the tolerance by more than this factor,
+// the field is made finer, or given up.
 constexpr double slack = 200.0;
-// The limit of the same error where a finer field is no better. Parts of a mesh that cross, or lie close to each other,
-// have weights with large numbers of digits, so rounding alone gives a hundred or a thousand times the tolerance.
-// Drawings from sums over all centres do not look better, but lines and every frame then take minutes.
+// The same limit if a finer field is no better. Weights have large magnitudes if parts of a mesh cross or lie close to
+// each other. Then rounding alone causes errors of 100 or 1000 times the tolerance. Drawings from sums over all centres
+// do not look better, but lines and every frame take minutes.
 constexpr double slack_of_rounding = 5000.0;
-constexpr double no_better = 0.5; // a finer field is no better if its error is above this share of the error before
+// A finer field counts as no better if its error is above this share of the previous error.
+constexpr double no_better = 0.5;
 constexpr double gradients_share = 100.0;
 constexpr int finest = 2;
 constexpr std::int64_t probes = 512;
@@ -33,9 +34,9 @@ constexpr std::int64_t probes = 512;
 
 } // namespace
 
-// Measured on two cores, AVX-512: all pairs take 0.15 ns each, and a field takes 0.4 s and 25 us for each centre. A
-// field is made if it takes less than twice the time of all pairs, because it is kept for later calls. The results of a
-// call do not depend on earlier calls.
+// Times were measured on two cores with AVX-512: a pair of a point and a centre takes 0.15 ns; a field takes 0.4 s plus
+// 25 us for each centre. A field is made if it takes less than twice the time of all pairs, because later calls use it,
+// too. The results of a call do not depend on earlier calls.
 bool Prepared::pays(const HrbfData& data, double points) noexcept {
     const auto centres = static_cast<double>(data.count());
     return data.kernel == kernel::Kind::triharmonic && data.count() >= fewest_centres &&
@@ -60,7 +61,7 @@ std::unique_ptr<Prepared> Prepared::make(const base::Work& work, const HrbfData&
             error.value, error.gradient);
         const double allowed = (error.value > no_better * before ? slack_of_rounding : slack) * options.tolerance;
         if (error.value <= allowed && error.gradient <= gradients_share * allowed) return prepared;
-        if (error.value >= before) break; // only rounding is left
+        if (error.value >= before) break; // the rest is rounding
         before = error.value;
     }
     return nullptr;
@@ -79,7 +80,8 @@ std::int32_t Prepared::cell_of(const glm::dvec3& point) const noexcept {
     return cube >= 0 ? cube : static_cast<std::int32_t>(field_.cubes());
 }
 
-// Evaluates runs of points in one cell, in their order; evaluate_all() makes the runs long.
+// Evaluates sequences of consecutive points that lie in one cell. evaluate_all() sorts the points so that the sequences
+// are long.
 void Prepared::evaluate(const PointBatch& points, const FieldBatch& fields) const {
     std::int64_t begin = 0;
     std::int32_t cell = points.count > 0 ? cell_of({points.x[0], points.y[0], points.z[0]}) : 0;
@@ -118,7 +120,7 @@ void Prepared::evaluate_cell(std::int32_t cell, const PointBatch& points, const 
     }
 }
 
-// Compares with the sums over all centres, at places about a spacing from centres.
+// Measures the errors by comparing with the sums over all centres, at places about a spacing away from centres.
 void Prepared::measure_error(const base::Work& work) {
     const std::int64_t count = std::min(probes, data_.count());
     geometry::VecArray places(work.memory);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An HRBF whose evaluation time hardly depends on the number of its centres. It uses the local field of local_field.h
-// near the surface, and all centres elsewhere.
+// An HRBF whose evaluation time hardly depends on the number of its centres. Near the surface it uses the local field
+// of local_field.h; elsewhere it sums all centres.
 #pragma once
 
 #include "implicit/hrbf.h"
@@ -12,18 +12,17 @@ namespace hrbfnpr::implicit {
 
 class Prepared final : public Implicit {
 public:
-    // The largest errors of the sums, measured beside the centres: of f, in diagonals, and of its gradient.
+    // The largest errors of the sums near the centres: of f, in diagonals, and of the gradient.
     struct Error {
         double value = 0.0;
         double gradient = 0.0;
     };
 
-    // Returns null if there is no local field for this kind of function, or if it would not be accurate, because
-    // weights contradict each other. The data must outlive the result. options.spacing is ignored; the spacing comes
-    // from the data.
+    // Returns null if there is no local field for this kernel, or if it would be inaccurate because weights contradict
+    // each other. The data must outlive the result. options.spacing is ignored; the spacing comes from the data.
     [[nodiscard]] static std::unique_ptr<Prepared> make(const base::Work& work, const HrbfData& data,
                                                         const LocalFieldOptions& options = {});
-    // Whether preparing for this number of points takes less time than it saves.
+    // Returns whether preparation takes less time than it saves for this number of points.
     [[nodiscard]] static bool pays(const HrbfData& data, double points) noexcept;
 
     Prepared(const base::Work& work, const HrbfData& data, const LocalFieldOptions& options);

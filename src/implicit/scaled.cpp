@@ -12,7 +12,8 @@ void multiply(double* numbers, std::int64_t count, double by) noexcept {
     for (std::int64_t i = 0; numbers != nullptr && i < count; ++i) numbers[i] *= by;
 }
 
-// Calls visit(points in the function's own unit, index of the first) for a batch at a time.
+// Calls visit(points, first) for one batch after another, with the points in the function's own unit, and the index of
+// the batch's first point.
 template <class Visit>
 void in_own_unit(const PointBatch& points, double unit, Visit&& visit) {
     std::array<Column, 3> at;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// An implicit in another unit of length.
+// An implicit function in another unit of length.
 #pragma once
 
 #include "implicit/sheets.h"
 
 namespace hrbfnpr::implicit {
 
-// g(y) = f(unit y) / unit: the same surface in another unit of length, with the same gradients. A unit that is a power
-// of two causes no rounding.
+// g(y) = f(unit y) / unit. This is the same surface in another unit of length; the gradients are the same. There is no
+// rounding if `unit` is a power of two.
 class Scaled final : public Implicit {
 public:
-    // `unscaled` must outlive this.
+    // The object keeps a reference to `unscaled`.
     Scaled(const Implicit& unscaled, double unit) noexcept
         : unscaled_(unscaled), unit_(unit), bounds_{unscaled.bounds().min / unit, unscaled.bounds().max / unit},
           domain_(unscaled, unit), sheets_(unscaled, unit) {}

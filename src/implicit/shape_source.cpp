@@ -13,10 +13,10 @@ namespace {
 
 constexpr auto shape_batch = static_cast<std::size_t>(batch_size);
 
-// The index of hessian[j][k] in xx xy xz yy yz zz.
+// The index of hessian[j][k] in the order xx xy xz yy yz zz.
 constexpr std::array<std::array<std::size_t, 3>, 3> second_index = {{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
 
-// xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.
+// The axes of each third derivative, in the order xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.
 constexpr std::array<std::array<std::size_t, 3>, 10> axes = {
     {{0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {0, 1, 1}, {0, 1, 2}, {0, 2, 2}, {1, 1, 1}, {1, 1, 2}, {1, 2, 2}, {2, 2, 2}}};
 
@@ -25,12 +25,12 @@ constexpr std::array<std::array<std::size_t, 3>, 10> axes = {
 HrbfShape::HrbfShape(base::InstructionSet set, const HrbfData& data, double smoothing) noexcept
     : set_(set), data_(data), smoothing_(0.0) {
     if (data.kernel == kernel::Kind::gaussian) return;
-    // A single sample has no spacing; its unit is the scale.
+    // A single sample has no spacing. The scale replaces it.
     const double unit = data.spacing > 0.0 ? data.spacing / data.scale : 1.0;
     smoothing_ = smoothing * unit * (smoothing * unit);
 }
 
-// With f = scale g, Hess f = Hess g / scale, and third derivatives are divided by scale^2.
+// f = scale g, so Hess f = Hess g / scale, and third derivatives are divided by scale^2.
 void HrbfShape::evaluate(const PointBatch& points, const ThirdBatch& out) const {
     const AddHermiteThirds add = hermite_thirds(set_, data_.kernel);
     const std::array<double, 10> constant = kernel::polynomial_thirds(data_.polynomial_degree, data_.polynomial.data());
@@ -55,8 +55,8 @@ void HrbfShape::evaluate(const PointBatch& points, const ThirdBatch& out) const 
     }
 }
 
-// If the implicit has creases, each point is differenced on its own sheet: differences over a crease would tell
-// nothing.
+// If the implicit function has creases, differences at a point are computed on the point's sheet, because differences
+// across a crease are meaningless.
 void DifferencedShape::evaluate(const PointBatch& points, const ThirdBatch& out) const {
     for (std::int64_t begin = 0; begin < points.count; begin += block_size) {
         ThirdBatch part = out;
@@ -70,7 +70,7 @@ void DifferencedShape::evaluate(const PointBatch& points, const ThirdBatch& out)
     }
 }
 
-// Evaluates runs of consecutive points on one sheet; such points mostly follow each other.
+// Evaluates sequences of consecutive points on the same sheet. Neighbouring points are mostly on the same sheet.
 void DifferencedShape::evaluate_by_sheet(const Sheets& sheets, const PointBatch& points, const ThirdBatch& out) const {
     std::array<std::int32_t, static_cast<std::size_t>(block_size)> active;
     sheets.active(points, active.data());
@@ -84,7 +84,7 @@ void DifferencedShape::evaluate_by_sheet(const Sheets& sheets, const PointBatch&
     }
 }
 
-// T_ijk is the mean of the derivatives along i of H_jk, along j of H_ik and along k of H_ij. It takes at most
+// T_ijk is the mean of three differences: along i of H_jk, along j of H_ik, and along k of H_ij. There are at most
 // block_size points, because a caller's function runs on the same small stack.
 void DifferencedShape::evaluate_block(const Implicit& implicit, const PointBatch& points, const ThirdBatch& out) const {
     constexpr auto most = static_cast<std::size_t>(block_size);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Second and third derivatives of an implicit. They are smooth enough for curves on which curvatures or their
-// derivatives vanish. The surface and its normals are still those of the implicit itself.
+// Second and third derivatives of an implicit function, for curves on which curvatures or their derivatives are 0. They
+// are smoothed for this purpose. The surface and its normals are those of the original function.
 #pragma once
 
 #include "implicit/hrbf.h"
@@ -9,7 +9,8 @@
 
 namespace hrbfnpr::implicit {
 
-// Orders: xx xy xz yy yz zz and xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz. Both are always wanted.
+// Where results are written, in the orders xx xy xz yy yz zz and xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz. Both pointers
+// must be set.
 struct ThirdBatch {
     std::array<double*, 6> hessian{};
     std::array<double*, 10> third{};
@@ -22,25 +23,26 @@ public:
     ShapeSource& operator=(const ShapeSource&) = delete;
     virtual ~ShapeSource() = default;
 
-    // Runs on the calling thread, for at most batch_size points. The result for a point does not depend on its batch.
+    // Evaluates at most batch_size points on the calling thread. The result for a point does not depend on the other
+    // points of the batch.
     virtual void evaluate(const PointBatch& points, const ThirdBatch& out) const = 0;
-    // Whether evaluate() may run on several threads at once.
+    // Returns whether evaluate() may run on several threads at once.
     [[nodiscard]] virtual bool concurrent() const noexcept = 0;
 };
 
-// The smoothing eps, in mean spacings of the samples. A wave of the wave number k is multiplied by x^3 K_3(x) / 8 at x
-// = k eps, the ratio of the Fourier transforms of (r^2 + eps^2)^(3/2) and r^3, which is 1 - x^2 / 8 for small x: a wave
-// as long as 6 spacings loses 1 %, one as long as 2 loses 10 %. More smoothing leaves out smaller features: 1 spacing
-// halves waves that are 2.4 spacings long.
+// The smoothing eps, in mean spacings of the samples. A wave with wave number k is multiplied by x^3 K_3(x) / 8 with x
+// = k eps. This is the ratio of the Fourier transforms of (r^2 + eps^2)^(3/2) and r^3, and is 1 - x^2 / 8 for small x.
+// A wave of 6 spacings loses 1 %, and a wave of 2 spacings loses 10 %. More smoothing removes larger features: a value
+// of 1 halves waves of 2.4 spacings.
 inline constexpr double ordinary_smoothing = 0.3;
 
-// The source for an HRBF: it has the same weights, with r^2 + eps^2 in place of r^2, eps = `smoothing` spacings. The
-// triharmonic and Wendland C2 kernels are smoothed because both contain r^3, so that at a sample, which lies on the
-// surface, their third derivatives grow like 1/r. A Gaussian needs no smoothing and gets none. At the end of a
-// Wendland's reach third derivatives jump.
+// The source for an HRBF. It has the same weights, with r^2 + eps^2 in place of r^2, where eps is `smoothing` spacings.
+// The triharmonic and the Wendland C2 kernel need smoothing: both contain r^3, so at a sample, which lies on the
+// surface, their third derivatives grow like 1/r. A Gaussian needs no smoothing and gets none. Third derivatives jump
+// at the radius where a Wendland kernel ends.
 class HrbfShape final : public ShapeSource {
 public:
-    // `data` must outlive this.
+    // The object keeps a reference to `data`.
     HrbfShape(base::InstructionSet set, const HrbfData& data, double smoothing = ordinary_smoothing) noexcept;
 
     void evaluate(const PointBatch& points, const ThirdBatch& out) const override;
@@ -52,10 +54,10 @@ private:
     double smoothing_; // eps^2, in normalised coordinates
 };
 
-// The source for any other implicit: its Hessian, and central differences of the Hessian.
+// The source for any other implicit function: it uses the function's Hessian, and central differences of the Hessian.
 class DifferencedShape final : public ShapeSource {
 public:
-    // `step` is in diagonals. `implicit` must outlive this.
+    // `step` is in diagonals. The object keeps a reference to `implicit`.
     explicit DifferencedShape(const Implicit& implicit, double step = 1e-3) noexcept
         : implicit_(implicit), step_(step * implicit.diagonal()) {}
 
@@ -70,10 +72,10 @@ private:
     double step_;
 };
 
-// The source for an implicit in another unit of length, as in implicit/scaled.h: g(y) = f(unit y) / unit.
+// The source for an implicit function in another unit of length: g(y) = f(unit y) / unit, as in implicit/scaled.h.
 class ScaledShape final : public ShapeSource {
 public:
-    // `unscaled` must outlive this.
+    // The object keeps a reference to `unscaled`.
     ScaledShape(const ShapeSource& unscaled, double unit) noexcept : unscaled_(unscaled), unit_(unit) {}
 
     void evaluate(const PointBatch& points, const ThirdBatch& out) const override;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A block of points goes through five steps: 1. find the points whose sheet zones know, and the cells that reach the
-// others; 2. collect the terms of the others: each sheet in a cell's program, and cells without a program; 3. evaluate
-// each sheet at all its points at once; 4. find the sheet that each cell's program ends with, and sum the weights of
-// the cells of each sheet; 5. take the mean of the terms.
+// A block of points is evaluated in five steps: 1. find the points whose sheet is known from zones, and, for the other
+// points, the cells that reach them; 2. collect the terms at the other points: a term for each sheet in the program of
+// a cell, and for each cell without a program; 3. evaluate each sheet at all its points at once; 4. find the sheet that
+// the program of each cell selects, and sum the weights of the cells by sheet; 5. compute the weighted mean of the
+// terms.
 #include "implicit/sheet_tree.h"
 
 #include "implicit/lanes.h"
@@ -14,8 +15,8 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-// Wendland's function (1 - t)^4 (4 t + 1) of one coordinate, with two derivatives (Wendland, "Piecewise polynomial,
-// positive definite and compactly supported radial functions of minimal degree", 1995).
+// Wendland's function (1 - t)^4 (4 t + 1) of one coordinate, with its first two derivatives (Wendland, "Piecewise
+// polynomial, positive definite and compactly supported radial functions of minimal degree", 1995).
 struct WendlandFunction {
     WendlandFunction(double offset, double width) noexcept {
         const double t = std::min(1.0, std::abs(offset) / width);
@@ -27,7 +28,7 @@ struct WendlandFunction {
     double w, d, h;
 };
 
-// Adds a b^T + b a^T to a Hessian, which is in the order of FieldBatch.
+// Adds a b^T + b a^T to a Hessian in the order xx xy xz yy yz zz.
 void add_symmetric(const glm::dvec3& a, const glm::dvec3& b, std::array<double, 6>& h) noexcept {
     h[0] += 2.0 * a.x * b.x;
     h[1] += a.x * b.y + a.y * b.x;
@@ -37,7 +38,8 @@ void add_symmetric(const glm::dvec3& a, const glm::dvec3& b, std::array<double, 
     h[5] += 2.0 * a.z * b.z;
 }
 
-// Adds the Hessian of a function of the distance, with derivatives d and h, along the unit vector u.
+// Adds the Hessian of a function of the distance. `d` and `h` are its first and second derivative, and u is the unit
+// vector along the distance.
 void add_radial(const glm::dvec3& u, double d, double h, double distance, std::array<double, 6>& to) noexcept {
     const double across = d / distance;
     add_symmetric(u, 0.5 * (h - across) * u, to);
@@ -57,21 +59,22 @@ Jet weight_of(const SheetTreeNode& cell, const glm::dvec3& place) noexcept {
             {x.h * y.w * z.w, x.d * y.d * z.w, x.d * y.w * z.d, x.w * y.h * z.w, x.w * y.d * z.d, x.w * y.w * z.h}};
 }
 
-// One of the functions whose mean is f at a point: a sheet, or a function that replaces it where no surface is near.
+// One of the functions whose weighted mean is f at a point: a sheet, or a function that replaces sheets where no
+// surface is near.
 struct Term {
-    std::int32_t sheet; // -1: no sheet
+    std::int32_t sheet; // index of the sheet; -1: the term is not a sheet
     std::int32_t point;
-    std::int32_t next; // next term of the sheet, or -1
+    std::int32_t next; // next term of the same sheet, or -1
     Jet jet;
-    Jet weight; // the sum of the weights of all cells in which f is this term
+    Jet weight; // the sum of the weights of all cells in which f equals this term
 };
 
-// A cell that reaches a point.
+// A cell whose weight at a point is above 0.
 struct ReachingCell {
     SheetTreeNode cell;
-    std::int32_t leaf;         // -1: the sphere far outside
-    std::int32_t result_term;  // the term that the program ends with, or -1
-    const std::int32_t* begin; // the program is [begin, end)
+    std::int32_t leaf;         // index of the leaf; -1: the sphere far outside
+    std::int32_t result_term;  // the term that the program selects, or -1
+    const std::int32_t* begin; // the program is the range [begin, end)
     const std::int32_t* end;
 
     [[nodiscard]] std::span<const std::int32_t> program() const noexcept { return {begin, end}; }
@@ -87,7 +90,7 @@ Term plain_term(const SheetTreeData& data, const ReachingCell& hit, const glm::d
     return term;
 }
 
-// Returns the sphere about the bounds, which f becomes far outside.
+// Returns the sphere around the bounds. Far outside, f is this sphere.
 Term sphere_term(const SheetTreeData& data, const glm::dvec3& place) noexcept {
     const double radius = 0.5 * data.bounds.diagonal();
     const glm::dvec3 off = place - data.bounds.centre();
@@ -99,7 +102,7 @@ Term sphere_term(const SheetTreeData& data, const glm::dvec3& place) noexcept {
     term.jet.value = distance - radius;
     term.jet.gradient = u;
     add_radial(u, 1.0, 0.0, distance, term.jet.hessian);
-    // The weight is t^3 (10 - 15 t + 6 t^2): its first two derivatives are 0 at both ends.
+    // The weight is t^3 (10 - 15 t + 6 t^2). Its first two derivatives are 0 at both ends of [0, 1].
     term.weight.value = t * t * t * (10.0 + t * (6.0 * t - 15.0));
     const double d = 30.0 * t * t * (1.0 - t) * (1.0 - t) / width;
     const double h = 60.0 * t * (1.0 - t) * (1.0 - 2.0 * t) / (width * width);
@@ -112,21 +115,21 @@ class SheetTreeBlock {
 public:
     explicit SheetTreeBlock(const SheetTreeBase& tree) noexcept : tree_(tree), data_(tree.data()) {}
 
-    // Takes as many of the points as there is room for, at least one, and returns their number.
+    // Takes as many points as the block has room for, at least one, and returns their number.
     std::int64_t take(const PointBatch& points) noexcept;
     void evaluate(const FieldBatch& fields);
     void active(std::int32_t* sheet);
 
 private:
     static constexpr std::int64_t most_points = PiecesTuning::points;
-    static constexpr std::int64_t most_at_point = 96; // cells, or sheets, of one point
-    static constexpr std::int64_t most_hits = 768;    // cells of all points
+    static constexpr std::int64_t most_at_point = 96; // the most cells, or sheets, of one point
+    static constexpr std::int64_t most_hits = 768;    // the most cells of all points together
     static constexpr std::int64_t most_terms = 768;
 
-    // A sheet, the points at which it alone equals f, and the terms that need it.
+    // A sheet, the points at which f is known to equal it, and the terms that need it.
     struct Group {
         std::int32_t sheet;
-        std::int32_t point, term; // first element of each chain, or -1
+        std::int32_t point, term; // first element of each linked list, or -1
     };
 
     [[nodiscard]] std::span<ReachingCell> hits(std::int64_t point) noexcept {
@@ -157,9 +160,9 @@ private:
     std::int64_t groups_ = 0;
     std::int64_t first_hit_[most_points + 1];
     std::int64_t first_term_[most_points + 1];
-    std::int32_t only_sheet_[most_points];    // the sheet that is known to rule each point, or -1
-    std::int32_t next_of_sheet_[most_points]; // next point of the same sheet, or -1
-    std::int32_t only_term_[most_points];     // for the other points: the term that rules all cells, or -1
+    std::int32_t only_sheet_[most_points];    // for each point, the sheet that f is known to equal, or -1
+    std::int32_t next_of_sheet_[most_points]; // next point with the same known sheet, or -1
+    std::int32_t only_term_[most_points];     // for the other points: the term that all cells select, or -1
     ReachingCell hit_[most_hits];
     Term term_[most_terms];
     Group group_[most_points + most_terms];
@@ -175,15 +178,14 @@ SheetTreeBlock::Group& SheetTreeBlock::group_of(std::int32_t sheet) noexcept {
     return group_[groups_++];
 }
 
-// Adds the leaves below a cell that reach a place, starting with the leaf that the place lies in, or is nearest to.
+// Adds the leaves below a cell that reach a place. The first is the leaf that contains the place or is nearest to it.
 void SheetTreeBlock::find_hits(const SheetTreeNode& cell, const glm::dvec3& place, std::int64_t limit) noexcept {
     const std::int32_t child = data_.child[cell.node];
     if (child < 0) {
         if (hits_ < limit) add_hit(cell, -1 - child, data_.program_of(-1 - child));
         return;
     }
-    // Along each axis, the reach of the lower children ends beyond the middle, and the reach of the upper children
-    // begins before it.
+    // Along each axis, the lower children reach beyond the middle, and the upper children reach below it.
     const glm::dvec3 off = place - cell.centre;
     const double both = (SheetTreeData::cell_reach - 1.0) * 0.5 * cell.half;
     const int low = (off.x < both ? 1 : 0) | (off.y < both ? 2 : 0) | (off.z < both ? 4 : 0);
@@ -193,7 +195,8 @@ void SheetTreeBlock::find_hits(const SheetTreeNode& cell, const glm::dvec3& plac
         if (k != high && (k & high) == k && (~k & 7 & low) == (~k & 7)) find_hits(cell.child(child, k), place, limit);
 }
 
-// Adds the cells that reach a place of which zones know no more than `parts`.
+// Adds the cells that reach a place. `parts` are the candidates that the zones know; if it is empty, the tree is
+// searched.
 void SheetTreeBlock::add_reaching_cells(std::span<const SheetTreeZones::Part> parts, const glm::dvec3& place) noexcept {
     const SheetTreeZones* const zones = tree_.zones();
     for (const SheetTreeZones::Part& part : parts)
@@ -206,8 +209,8 @@ void SheetTreeBlock::add_reaching_cells(std::span<const SheetTreeZones::Part> pa
     if (glm::distance(place, data_.bounds.centre()) > begins) add_hit(root, -1, {});
 }
 
-// Adds a term for each sheet in the programs of the point's cells. If there is no room for a cell's sheets, the cell
-// counts as one without a program.
+// Adds a term for each sheet in the programs of the point's cells. If there is no room for the sheets of a cell, the
+// cell is handled like a cell without a program.
 void SheetTreeBlock::add_terms(std::int64_t point, const glm::dvec3& place) noexcept {
     const std::int64_t first = terms_;
     bool plain = false;
@@ -269,7 +272,8 @@ void SheetTreeBlock::evaluate_single_sheets(const FieldBatch& fields) {
     }
 }
 
-// Evaluates values, with or without gradients. A separate call evaluates Hessians, only of terms with a weight.
+// Evaluates values, with or without gradients. Hessians are evaluated in a separate call, and only for terms with a
+// positive weight.
 void SheetTreeBlock::evaluate_terms(bool gradient, bool hessian) {
     for (const Group& group : std::span(group_, static_cast<std::size_t>(groups_))) {
         lanes_.count = 0;
@@ -286,7 +290,7 @@ void SheetTreeBlock::evaluate_terms(bool gradient, bool hessian) {
     }
 }
 
-// Returns the term that a cell's program ends with.
+// Returns the term that the program of a cell selects.
 std::int32_t SheetTreeBlock::run_program(const ReachingCell& hit, std::int64_t point) const noexcept {
     std::int32_t stack[SheetTreeData::most_operands + 1];
     std::size_t depth = 0;
@@ -307,7 +311,8 @@ std::int32_t SheetTreeBlock::run_program(const ReachingCell& hit, std::int64_t p
     return depth == 1 ? stack[0] : -1;
 }
 
-// Finds the sheet that rules each cell, and sums the weights of the cells of each sheet: 1 if all cells have the same.
+// Finds the sheet that the program of each cell selects, and sums the weights of the cells by sheet. If all cells
+// select the same sheet, its weight is 1.
 void SheetTreeBlock::weigh_sheets(std::int64_t point) noexcept {
     const std::span<ReachingCell> hits = this->hits(point);
     bool one = !hits.empty();
@@ -322,11 +327,11 @@ void SheetTreeBlock::weigh_sheets(std::int64_t point) noexcept {
             term_[hit.result_term].weight.add(weight_of(hit.cell, point_at(points_, point)));
 }
 
-// Returns f = sum w_k f_k / sum w_k. The derivatives of the weights add 0 where the terms agree.
+// Returns f = sum w_k f_k / sum w_k. The derivatives of the weights contribute nothing where the terms are equal.
 Jet SheetTreeBlock::mean(std::int64_t point, const FieldBatch& wanted) const noexcept {
     double total = 0.0;
     double sum = 0.0;
-    double first = std::numeric_limits<double>::quiet_NaN(); // stays NaN if no term has a weight
+    double first = std::numeric_limits<double>::quiet_NaN(); // it stays NaN if no term has a positive weight
     bool one = true;
     for (const Term& term : terms(point)) {
         if (!(term.weight.value > 0.0)) continue;
@@ -363,8 +368,8 @@ void SheetTreeBlock::evaluate(const FieldBatch& fields) {
     }
 }
 
-// Writes the sheet with the largest weight; if cells without a program have at least that weight together, the last
-// sheet, which is f.
+// Writes the sheet with the largest weight. If the cells without a program together have at least that weight, it
+// writes the last sheet, which is f.
 void SheetTreeBlock::active(std::int32_t* sheet) {
     evaluate_terms(false, false);
     for (std::int64_t point = 0; point < points_.count; ++point) {
@@ -383,7 +388,7 @@ void SheetTreeBlock::active(std::int32_t* sheet) {
     }
 }
 
-// Calls work(block, first) for all points, as many at a time as a block takes.
+// Calls work(block, first) for one block of points after another.
 template <class F>
 void in_blocks(const SheetTreeBase& of, const PointBatch& points, F&& work) {
     base::OwnedObject<SheetTreeBlock> block(of.data().child.memory(), of);
@@ -424,7 +429,8 @@ std::int64_t SheetTreeBase::cells() const noexcept {
 std::optional<PreparedSheetTree::Scope> PreparedSheetTree::pays(const SheetTreeData& data, double points) noexcept {
     if (points < pieces_tuning.points_a_cell * static_cast<double>(data.leaves())) return std::nullopt;
     const auto all = static_cast<double>(data.centres());
-    for (const HrbfData& one : data.sheet) // a sheet is evaluated as often as its share of the centres
+    // The number of evaluations of a sheet is proportional to its share of the centres.
+    for (const HrbfData& one : data.sheet)
         if (Prepared::pays(one, points * static_cast<double>(one.count()) / all)) return Scope::sheets;
     return Scope::zones;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// An implicit made of sheets that meet in creases, and the same prepared for many points. In each cell f is a maximum
-// or minimum of a few sheets. Where no surface is near, it is a linear function that is as far from 0 as the surface is
-// away. Between cells f changes smoothly by a partition of unity, as in Ohtake et al., "Multi-level partition of unity
-// implicits", 2003. The sheets are global functions here, so that nothing changes between cells where f is the same
-// sheet.
+// An implicit function made of sheets that meet in creases, and a version of it that is prepared for many points. In
+// each cell f is a maximum or minimum of a few sheets. Where no surface is near, f is a linear function with about the
+// distance from the surface. Between cells f changes smoothly by a partition of unity, as in Ohtake et al.,
+// "Multi-level partition of unity implicits", 2003. Here the sheets are global functions, so f has no blending where
+// neighbouring cells select the same sheet.
 #pragma once
 
 #include "base/clock.h"
@@ -28,7 +28,7 @@ public:
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return data_.bounds; }
     [[nodiscard]] const Sheets* sheets() const noexcept override { return this; }
 
-    // The last sheet is f itself, which is smooth where no surface is near.
+    // The last sheet is f itself. It is used where no surface is near, because f is smooth there.
     [[nodiscard]] std::int32_t count() const noexcept override {
         return static_cast<std::int32_t>(data_.sheet.size()) + 1;
     }
@@ -40,8 +40,8 @@ public:
     [[nodiscard]] base::InstructionSet instruction_set() const noexcept { return set_; }
 
 protected:
-    // All arguments must outlive this. `zones` is null for data without zones. `prepared` has one entry for each sheet,
-    // null if the sheet is not prepared; it is empty if no sheet is.
+    // All arguments must outlive this object. `zones` is null if there are no zones. `prepared` has one element for
+    // each sheet, which is null if the sheet is not prepared. It is empty if no sheet is prepared.
     SheetTreeBase(base::InstructionSet set, const SheetTreeData& data, const SheetTreeZones* zones = nullptr,
                   const base::List<std::unique_ptr<Prepared>>* prepared = nullptr) noexcept
         : set_(set), data_(data), zones_(zones), prepared_(prepared) {}
@@ -68,16 +68,17 @@ private:
     SheetTreeData own_;
 };
 
-// The same function for many points, up to rounding and the errors of each Prepared sheet.
+// The same function prepared for many points. Results differ by rounding and by the errors of each Prepared sheet.
 class PreparedSheetTree final : public SheetTreeBase {
 public:
-    // The parts that are prepared: zones only, or zones and the sheets with many centres.
+    // What is prepared: only the zones, or the zones and the sheets with many centres.
     enum class Scope : std::uint8_t { zones, sheets };
 
-    // Returns the scope that takes less time for this number of points than it saves; nullopt: no scope does.
+    // Returns the scope whose preparation takes less time than it saves for this number of points; nullopt if no scope
+    // does.
     [[nodiscard]] static std::optional<Scope> pays(const SheetTreeData& data, double points) noexcept;
 
-    // `of` must outlive this.
+    // The object keeps a reference to `of`.
     PreparedSheetTree(const base::Work& work, const SheetTreeBase& of, Scope scope);
     ~PreparedSheetTree() override;
 
@@ -86,7 +87,7 @@ public:
 private:
     base::Stopwatch watch_;
     SheetTreeZones own_zones_;
-    base::List<std::unique_ptr<Prepared>> sheet_; // null where a prepared sheet would not be accurate
+    base::List<std::unique_ptr<Prepared>> sheet_; // null if the prepared sheet would be inaccurate
 };
 
 } // namespace hrbfnpr::implicit

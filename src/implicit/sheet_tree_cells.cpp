@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Zones are made leaf by leaf, on all threads, in three steps: 1. find the cells that reach the leaf, and their sheets;
-// 2. evaluate the sheets at corners and middles of the leaf's zones; 3. for each zone, find the cells that reach it,
-// and remove from their programs the sheets that cannot be the largest or smallest.
+// Zones are made leaf by leaf on all threads, in three steps: 1. find the cells that reach the leaf, and their sheets;
+// 2. evaluate these sheets at the corners and the middles of the leaf's zones; 3. for each zone, find the cells that
+// reach it, and remove from their programs the sheets that cannot be the largest or smallest.
 #include "implicit/sheet_tree_cells.h"
 
 #include "base/assert.h"
@@ -12,7 +12,7 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-// Whether a program leaves one value, and never takes more off the stack than there is.
+// Returns whether a program leaves exactly one value on the stack, and never takes more values than the stack has.
 [[nodiscard]] bool is_program(std::span<const std::int32_t> program, std::int64_t sheets) noexcept {
     std::int32_t depth = 0;
     std::int32_t operands = 0;
@@ -26,8 +26,8 @@ namespace {
     return program.empty() || (depth == 1 && operands <= SheetTreeData::most_operands);
 }
 
-// Whether children follow their parents, level by level; every node but the root is the child of a node before it, and
-// every leaf belongs to one node.
+// Returns whether the tree is valid: children come after their parents, level by level; each node except the root is
+// the child of one earlier node; and each leaf belongs to one node.
 [[nodiscard]] bool is_octree(const SheetTreeData& data) noexcept {
     const std::int64_t nodes = data.child.size();
     if (nodes < 1 || nodes > SheetTreeData::most_nodes) return false;
@@ -46,17 +46,19 @@ namespace {
     return next_child == nodes && next_leaf == data.leaves() && level < SheetTreeData::most_levels;
 }
 
-constexpr std::size_t zone_places = 9; // places in a zone where programs are evaluated: its corners and its middle
+// The number of places in a zone where programs are evaluated: eight corners and the middle.
+constexpr std::size_t zone_places = 9;
 
-// A program without the operands that cannot matter, and its values at these places.
+// A program without the operands that cannot affect the result in a zone, and the program's values at the zone's
+// places.
 struct SimplifiedProgram {
     std::array<double, zone_places> value{};
     std::array<std::int32_t, std::size_t{2 * SheetTreeData::most_operands}> code{};
     std::size_t size = 0;
 };
 
-// Joins two operands by an operation. An operand is left out if the other is beyond it at all places by more than
-// zone_tuning.margin times the range of their difference over these places.
+// Joins two operands by an operation. It omits an operand if the other one wins at all places of the zone by more than
+// zone_tuning.margin times the range of their difference.
 void join(SimplifiedProgram& a, const SimplifiedProgram& b, std::int32_t operation) noexcept {
     double least = std::numeric_limits<double>::infinity();
     double most = -least;
@@ -81,7 +83,8 @@ void join(SimplifiedProgram& a, const SimplifiedProgram& b, std::int32_t operati
     a.code[a.size++] = operation;
 }
 
-// Calls visit(cell, level, leaf) for the leaves for which, as for all cells above them, enters(cell) holds.
+// Calls visit(cell, level, leaf) for each leaf for which enters(cell) is true. It must also be true for all cells above
+// the leaf.
 template <class Enters, class Visit>
 void for_leaves(const SheetTreeData& data, const SheetTreeNode& at, std::int8_t level, Enters&& enters, Visit&& visit) {
     const std::int32_t first = data.child[at.node];
@@ -91,7 +94,7 @@ void for_leaves(const SheetTreeData& data, const SheetTreeNode& at, std::int8_t 
             for_leaves(data, next, static_cast<std::int8_t>(level + 1), enters, visit);
 }
 
-// Whether a cell reaches the cube.
+// Returns whether the weight of a cell is above 0 somewhere in the cube.
 [[nodiscard]] bool reaches(const SheetTreeNode& cell, const SheetTreeNode& cube) noexcept {
     const glm::dvec3 off = glm::abs(cell.centre - cube.centre);
     return std::max({off.x, off.y, off.z}) <
@@ -108,15 +111,15 @@ template <class T>
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }
 
-// The cells that reach a leaf, their sheets, and the values of these at the places of the leaf's zones: corners, then
-// middles.
+// The cells that reach a leaf, their sheets, and the values of these sheets at the corners and then at the middles of
+// the leaf's zones.
 struct LeafSurroundings {
     explicit LeafSurroundings(base::Memory& memory) noexcept : leaf(memory), sheet(memory), value(memory) {}
     base::Array<std::int32_t> leaf;
     base::Array<std::int32_t> sheet;
-    base::Array<double> value; // sheet by sheet
+    base::Array<double> value; // sorted by sheet
     std::int64_t places = 0;
-    bool trees = false; // some programs take minima or maxima
+    bool trees = false; // true if some programs have operations
 
     [[nodiscard]] std::int64_t number_of(std::int32_t code) const noexcept {
         return std::find(sheet.begin(), sheet.end(), code) - sheet.begin();
@@ -139,7 +142,7 @@ struct LeafSurroundings {
     return surroundings;
 }
 
-// Appends a program without the operands that cannot matter in the zone that has these places.
+// Appends a simplified program, without the operands that cannot affect the result in the zone with these places.
 void simplify(std::span<const std::int32_t> program, const std::array<std::int64_t, zone_places>& at,
               const LeafSurroundings& surroundings, base::Array<std::int32_t>& to) {
     if (program.size() < 2) {
@@ -165,7 +168,7 @@ void simplify(std::span<const std::int32_t> program, const std::array<std::int64
     for (std::size_t i = 0; i < stack[0].size; ++i) to.push_back(stack[0].code[i]);
 }
 
-// The zones of one leaf. Parts and programs are numbered from 0.
+// The zones of one leaf. Indices of parts and programs start at 0 for each leaf.
 struct LeafZones {
     explicit LeafZones(base::Memory& memory) noexcept : code(memory), zone(memory), part(memory), program(memory) {}
     std::int8_t cuts = -1;
@@ -175,7 +178,7 @@ struct LeafZones {
     base::Array<std::int32_t> program;
 };
 
-// Adds a zone. Its equal programs are stored once.
+// Adds a zone. Equal programs in the zone are stored once.
 void add_zone(const SheetTreeData& data, const base::Array<SheetTreeNode>& nodes, const SheetTreeNode& at,
               const std::array<std::int64_t, zone_places>& its, const LeafSurroundings& surroundings, LeafZones& made) {
     using Part = SheetTreeZones::Part;
@@ -356,8 +359,9 @@ SheetTreeZones::Candidates SheetTreeZones::candidates_at(const glm::dvec3& place
     const Zone& zone = zone_[code];
     const std::span<const Part> parts = range(part_, zone.begin, zone.end);
     if (parts.size() == 1) return {-1, parts};
-    // Which of the parts reach the place cannot be predicted, so this has no branches. `found` is the last that does.
-    // `mixed` is set if their programs differ, or if one has no program.
+    // Branches would be mispredicted here, because it is unpredictable which parts reach the place. So there are none.
+    // `found` is the last part that reaches it. `mixed` is set if programs of these parts differ, or if one has no
+    // program.
     const Part* found = nullptr;
     unsigned mixed = 0;
     for (const Part& part : parts) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The smooth functions (sheets) that an implicit with creases is made of. A maximum or minimum of two functions is one
-// of them on either side of the crease in which they meet.
+// The smooth functions (sheets) of an implicit function with creases. The maximum or minimum of two functions equals
+// one function on one side of the crease where they meet, and the other function on the other side.
 #pragma once
 
 #include "implicit/implicit.h"
@@ -10,7 +10,7 @@
 
 namespace hrbfnpr::implicit {
 
-// Whether the minimum of a and b is b. If either is NaN, the minimum is NaN.
+// Returns whether the minimum of a and b is b. The minimum is NaN if either is NaN.
 [[nodiscard]] inline bool takes_lower(double a, double b) noexcept { return b < a || std::isnan(b); }
 
 class Sheets {
@@ -21,16 +21,17 @@ public:
     virtual ~Sheets() = default;
 
     [[nodiscard]] virtual std::int32_t count() const noexcept = 0;
-    // Writes the index of the sheet that f is at each point, in [0, count()). Runs on the calling thread.
+    // Writes, for each point, the index in [0, count()) of the sheet that f equals there. Runs on the calling thread.
     virtual void active(const PointBatch& points, std::int32_t* sheet) const = 0;
-    // Evaluates one sheet, also where f is another one. It is smooth, and signed as f is.
+    // Evaluates one sheet at any points, even where f equals another sheet. A sheet is smooth and has the sign
+    // convention of f.
     virtual void evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const = 0;
 };
 
 // One sheet as a separate implicit.
 class OneSheet final : public Implicit {
 public:
-    // `sheets` belong to `whole`, which must outlive this.
+    // `sheets` belong to `whole`. The object keeps references to both.
     OneSheet(const Implicit& whole, const Sheets& sheets, std::int32_t sheet) noexcept
         : whole_(whole), sheets_(sheets), sheet_(sheet) {}
 

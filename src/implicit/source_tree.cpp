@@ -21,7 +21,7 @@ constexpr std::int64_t cubes_a_task = 32; // number of cubes in a task
     return points;
 }
 
-// Returns the transpose: columns of `rows` numbers become rows of `columns` numbers, padded.
+// Returns the transposed matrix: columns of `rows` numbers become padded rows of `columns` numbers.
 [[nodiscard]] base::Array<double> transposed(const base::Array<double>& matrix, int rows, int columns) {
     const std::int64_t from = CubeBasis::padded(rows);
     const std::int64_t to = CubeBasis::padded(columns);
@@ -46,14 +46,16 @@ SourceTree::SourceTree(const base::Work& work, const geometry::VecArray& centres
     vectors_size_ = size + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max));
 }
 
-// The error of a pair of cubes is about (half width)^3 2.9^-degree, relative to their weights.
+// Returns the degree for a fit. The error of a pair of cubes is about (half width)^3 2.9^-degree, relative to their
+// weights.
 //
-// Conjugate gradients need the error below the smallest eigenvalue, which is proportional to (spacing)^3: so twice the
-// width needs two degrees more. The constant 6.1 was found by trying even samples: with three degrees less, fits of
-// 65 000 break down; with one less, they take half as many iterations again.
+// Conjugate gradients need an error below the smallest eigenvalue, which is proportional to (spacing)^3. So a cube of
+// twice the width needs a degree that is higher by 2. The constant 6.1 was found by experiments with evenly spaced
+// samples: if the degree is lower by 3, fits of 65 000 samples fail; if it is lower by 1, they need 1.5 times as many
+// iterations.
 //
-// A fit's weights are proportional to (spacing)^2, and the errors of its many far pairs add up like noise, to (spacing)
-// times as much. The constant 7.1, too, was found by trying: 24 000 to 262 144 even samples.
+// The weights of a fit are proportional to (spacing)^2. The errors of its many far pairs add up like noise, to
+// (spacing) times as much. The constant 7.1 was found by experiments with 24 000 to 262 144 evenly spaced samples.
 [[nodiscard]] double degree_for_fits(double width, double all, double tolerance) noexcept {
     const double to_converge = 2.0 * std::log2(width) + 6.1;
     const double error = std::pow(width / all, 3.0) / (all * tolerance);
@@ -61,18 +63,18 @@ SourceTree::SourceTree(const base::Work& work, const geometry::VecArray& centres
     return std::max(to_converge, to_be_exact);
 }
 
-// With two cubes in between, the error of a gradient is about 5.5^-degree. The constants were found by trying the sums
-// of fits of 512 to 4096 samples: with one degree more at the top, only rounding is left.
+// Returns the degree for gradients. With two cubes between a source and a target, the error of a gradient is about
+// 5.5^-degree. The constants were found by experiments with fits of 512 to 4096 samples: if the degree of the top level
+// is higher by 1, the remaining error is rounding.
 [[nodiscard]] double degree_for_gradients(double width, double tolerance) noexcept {
     return 12.9 + std::log(1e-9 / tolerance) / std::log(5.5) + 0.7 * std::log2(width);
 }
 
 int SourceTree::degree_of(std::int32_t level, const SourceTreeOptions& options) const noexcept {
-    if (!has_expansions(level)) return 0; // cubes of this level all touch
+    if (!has_expansions(level)) return 0; // all cubes of this level touch each other
     const double width = std::max(1.0, tree_.half_width(level) / options.spacing);
     const double all = std::max(1.0, tree_.half_width(0) / options.spacing);
-    // Degrees for gradients are even: fewer different degrees need fewer bases, which take longer to make than the
-    // sums.
+    // Degrees for gradients are even. So there are fewer bases, because making a basis takes longer than the sums.
     const double degree = options.separation == 1
                               ? std::ceil(degree_for_fits(width, all, options.tolerance))
                               : 2.0 * std::ceil(0.5 * degree_for_gradients(width, options.tolerance));
@@ -116,7 +118,7 @@ void SourceTree::make_transfers(const base::Progress& progress) {
 void SourceTree::gather(const base::Progress& progress) {
     make_transfers(progress);
     outgoing_.clear();
-    base::resize_long(outgoing_, vectors_size_, progress); // zeros
+    base::resize_long(outgoing_, vectors_size_, progress); // filled with zeros
     for (std::int32_t level = tree_.levels() - 1; level >= 2; --level) gather_moments(level, progress);
 }
 
@@ -126,7 +128,8 @@ Sources SourceTree::sources(std::int64_t begin, std::int64_t end) const noexcept
             beta_.x.data() + begin, beta_.y.data() + begin, beta_.z.data() + begin, end - begin};
 }
 
-// Makes the weights at the nodes, from the sources in leaves and from the weights at the children's nodes.
+// Computes the weights at the nodes of cubes: from the sources for leaves, else from the weights at the children's
+// nodes.
 void SourceTree::gather_moments(std::int32_t level, const base::Progress& progress) {
     const CubeBasis& basis = *at(level).basis;
     const CubeLoops loops = cube_loops(runtime_.instruction_set);
@@ -194,7 +197,7 @@ void SourceTree::add_children(std::int64_t begin, std::int64_t end, std::int32_t
     }
 }
 
-// Pairs of cubes at the same offset share the elements |x_i - x_k + offset|^3, which are computed on the fly.
+// Pairs of cubes with the same offset share the matrix elements |x_i - x_k + offset|^3, which are computed when needed.
 void SourceTree::translate(std::int32_t level, std::span<const Pair> pairs, int first_row, int last_row,
                            double* incoming, const base::Progress& progress) const {
     const CubeBasis& basis = *at(level).basis;

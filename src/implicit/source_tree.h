@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Weighted centres in an octree whose cubes act on far places like sources at a few nodes. This is one half of a fast
+// Weighted centres in an octree. On far places, each cube acts like sources at a few nodes. This is half of a fast
 // multipole method (Greengard, Rokhlin 1987), with polynomials in place of multipoles, as in black-box methods (Fong,
 // Darve, J. Comput. Phys. 228, 2009).
 //
-// Inside a cube, the sum over far sources is a triharmonic polynomial. Sources in a cube act on far places like sources
-// at the cube's nodes whose weights give the same integral of every such polynomial.
+// Inside a cube, the sum over far sources is a triharmonic polynomial. So sources in a cube act on far places like
+// sources at the cube's nodes, if the weights of both give the same integral of each triharmonic polynomial.
 #pragma once
 
 #include "base/operation.h"
@@ -20,12 +20,16 @@
 namespace hrbfnpr::implicit {
 
 struct SourceTreeOptions {
-    double spacing = 1.0;         // mean spacing of the centres
-    int finer = 0;                // each step raises the polynomial degree by 2, and divides the error by about 10
-    std::int64_t leaf_size = 600; // the most centres in a cube that is not divided
-    double tolerance = 1e-8;      // error of sums with a fit's weights, relative to the fit's right-hand side
-    int separation = 1;           // the fewest cubes between two cubes that act on each other by their nodes; 1 or 2
-    double margin = 0.0;          // margin of the whole cube, relative to its width
+    double spacing = 1.0; // mean spacing of the centres
+    // The number of times that the polynomial degree is raised by 2. Each time divides the error by about 10.
+    int finer = 0;
+    // Cubes with at most this many centres are not divided.
+    std::int64_t leaf_size = 600;
+    // The allowed error of sums with the weights of a fit, relative to the right-hand side of the fit.
+    double tolerance = 1e-8;
+    // Two cubes act on each other by their nodes if at least this many cubes lie between them; 1 or 2.
+    int separation = 1;
+    double margin = 0.0; // margin of the whole cube, relative to its width
 };
 
 class SourceTree {
@@ -33,29 +37,33 @@ public:
     // Throws Error{out_of_memory, cancelled}.
     SourceTree(const base::Work& work, const geometry::VecArray& centres, const SourceTreeOptions& options);
 
-    // Sets the weights of the centres, given in the centres' order.
+    // Sets the weights of the centres, in the order of the centres.
     void load(const double* alpha, const geometry::VecArray& beta, const base::Progress& progress);
-    // Makes the weights at the nodes of each cube, for translate(). For few centres this takes longer than it saves.
+    // Computes the weights at the nodes of each cube, which translate() needs. With few centres this takes more time
+    // than it saves.
     void gather(const base::Progress& progress);
 
     [[nodiscard]] const geometry::Octree& tree() const noexcept { return tree_; }
     [[nodiscard]] const CubeBasis& basis(std::int32_t level) const noexcept { return *at(level).basis; }
-    // Returns the matrix from a level's nodes to the nodes of a child. Call gather() first; the child's level must
-    // exist.
+    // Returns the matrix that maps values at a level's nodes to values at the nodes of a child. gather() must be called
+    // before, and the level of the child must exist.
     [[nodiscard]] const base::Array<double>& to_child(std::int32_t level, int octant) const noexcept {
         return at(level).transfers->to_child[static_cast<std::size_t>(octant)];
     }
-    // Cubes of the first two levels all touch each other.
+    // Returns whether cubes of this level act by their nodes. Those of the first two levels do not, because they all
+    // touch each other.
     [[nodiscard]] static bool has_expansions(std::int32_t level) noexcept { return level >= 2; }
-    // The vectors of all nodes, one after the other, padded for reading beyond the last.
+    // The vectors of all nodes are stored one after the other, with padding after the last, so that vector loads may
+    // read past it.
     [[nodiscard]] std::int64_t vectors_begin(std::int32_t level) const noexcept { return at(level).begin; }
     [[nodiscard]] std::int64_t vectors_size() const noexcept { return vectors_size_; }
-    // Returns centres [begin, end) in the tree's order, with their weights.
+    // Returns the centres [begin, end) in the order of the tree, with their weights.
     [[nodiscard]] Sources sources(std::int64_t begin, std::int64_t end) const noexcept;
 
-    // A cube that acts on another cube of its level that it does not touch.
+    // A pair of cubes of one level that do not touch each other. One acts on the other.
     struct Pair {
-        std::int32_t direction; // number of the offset, up to five cubes along each axis
+        // Index of the offset between the cubes, which is at most five cubes along each axis.
+        std::int32_t direction;
         std::int32_t source;
         std::int32_t target;
     };
@@ -63,31 +71,32 @@ public:
                                                 const std::array<std::int32_t, 3>& source) noexcept {
         return (target[0] - source[0] + 5) + 11 * (target[1] - source[1] + 5) + 121 * (target[2] - source[2] + 5);
     }
-    // Returns the offset of the target from the source, in cubes.
+    // Returns the offset from the source to the target, in cubes.
     [[nodiscard]] static std::array<std::int32_t, 3> offset(std::int32_t direction) noexcept {
         return {direction % 11 - 5, direction / 11 % 11 - 5, direction / 121 - 5};
     }
-    // Adds to nodes [first_row, last_row) of the targets, multiples of 8. Target t's vector is t basis strides after
-    // `incoming`. Consecutive pairs of one direction share the work.
+    // Adds the effect of the sources to the nodes [first_row, last_row) of the targets. Both bounds are multiples of 8.
+    // The vector of target t begins t basis strides after `incoming`. Consecutive pairs with the same direction share
+    // work.
     void translate(std::int32_t level, std::span<const Pair> pairs, int first_row, int last_row, double* incoming,
                    const base::Progress& progress) const;
 
-    // Frees the memory that only translate(), to_child() and the matrices of the bases need.
+    // Frees the memory that is needed only by translate(), to_child() and the matrices of the bases.
     void forget_expansions() noexcept;
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
-    // For each octant, the matrix from the nodes of a basis to the nodes of a child.
+    // For each octant, the matrix that maps values at the nodes of a basis to values at the nodes of the child there.
     struct Transfers {
         std::vector<base::Array<double>> to_child;
         std::vector<base::Array<double>> transposed;
     };
-    // Levels of one degree share a basis. Pairs of levels with the same two degrees share transfers.
+    // Levels with the same degree share a basis. Pairs of consecutive levels with the same two degrees share transfers.
     struct Level {
         std::shared_ptr<CubeBasis> basis;
-        std::shared_ptr<Transfers> transfers; // to the next level; null on the deepest
-        std::int64_t begin = 0;               // start of its nodes' vectors
+        std::shared_ptr<Transfers> transfers; // transfers to the next level; null on the deepest level
+        std::int64_t begin = 0;               // beginning of the vectors of its nodes
     };
 
     [[nodiscard]] const Level& at(std::int32_t level) const noexcept {
@@ -114,7 +123,7 @@ private:
     std::vector<Level> levels_;
     std::int64_t vectors_size_ = 0;
     base::Array<double> outgoing_; // weights at the nodes of each cube
-    base::Array<double> alpha_;    // in the tree's order
+    base::Array<double> alpha_;    // weights in the order of the tree
     geometry::VecArray beta_;
 };
 

@@ -10,9 +10,9 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-// A function is a column of numbers; the recurrences multiply it by coordinates.
+// A polynomial is stored as a column of numbers. Recurrences multiply it by coordinates.
 
-// Columns are values at points.
+// Columns that hold values of polynomials at points.
 class BasisValues {
 public:
     BasisValues(const geometry::VecArray& points, std::int64_t count) noexcept : points_(points), count_(count) {}
@@ -32,8 +32,8 @@ private:
     std::int64_t count_;
 };
 
-// Columns are coefficients of Chebyshev products; x T_a = (T_a+1 + T_|a-1|) / 2. Terms beyond the degree are dropped:
-// no column that is kept has such terms.
+// Columns that hold coefficients of Chebyshev products, multiplied with x T_a = (T_(a+1) + T_|a-1|) / 2. Terms above
+// the degree are omitted; no resulting polynomial has such terms.
 class Coefficients {
 public:
     Coefficients(base::Memory& memory, int degree) : memory_(memory), degree_(degree), index_(memory) {
@@ -76,8 +76,7 @@ private:
     base::Array<std::int64_t> index_;
 };
 
-// Returns the column of a function of degree l + 2 k. It comes after all functions of lower degrees, and after those of
-// the same degree with smaller k.
+// Returns the column of a function of degree l + 2 k. Columns are sorted by degree, then by k.
 [[nodiscard]] int column_of(int l, int k, int number) noexcept {
     const int degree = l + 2 * k;
     int column = degree > 0 ? triharmonic_size(degree - 1) : 0;
@@ -109,7 +108,7 @@ public:
     }
 
 private:
-    // Returns the number of the harmonic of order m: the cosine's (side 0) or the sine's (side 1).
+    // Returns the number of the solid harmonic of order m; side 0 is the cosine's, side 1 the sine's.
     [[nodiscard]] static int number_of(int m, int side) noexcept { return m == 0 ? 0 : 2 * m - 1 + side; }
     [[nodiscard]] double* at(int l, int k, int number) noexcept {
         return result_.data() + stride_ * column_of(l, k, number);
@@ -124,7 +123,7 @@ private:
         }
     }
 
-    // (l - m + 1) R_l+1 = (2 l + 1) z R_l - (l + m) |x|^2 R_l-1
+    // Uses (l - m + 1) R_(l+1) = (2 l + 1) z R_l - (l + m) |x|^2 R_(l-1).
     void climb(int m, int side, const base::Progress& progress) {
         const int number = number_of(m, side);
         for (int l = m; l < degree_; ++l) {
@@ -135,7 +134,7 @@ private:
         }
     }
 
-    // C_m+1 + i S_m+1 = (x + i y) (C_m + i S_m)
+    // Uses C_(m+1) + i S_(m+1) = (x + i y) (C_m + i S_m).
     void turn(int m) {
         const double* const cosine = harmonic(m, number_of(m, 0));
         double* const next_cosine = harmonic(m + 1, number_of(m + 1, 0));
@@ -148,7 +147,7 @@ private:
         columns_.add_times(0, 1.0, sine, next_sine);
     }
 
-    // T_1 = 2 |x|^2 / 3 - 1 and T_2 = 2 T_1 T_1 - 1, times the harmonic.
+    // Adds the harmonic times T_1 = 2 |x|^2 / 3 - 1, and times T_2 = 2 T_1 T_1 - 1.
     void add_radial(int l, int number) {
         const double* const h = harmonic(l, number);
         if (l + 2 > degree_) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An implicit with another domain for its surface.
+// An implicit function whose surface has another domain.
 #pragma once
 
 #include "implicit/implicit.h"
@@ -8,7 +8,7 @@ namespace hrbfnpr::implicit {
 
 class Trimmed final : public Implicit {
 public:
-    // `whole` and `domain` must outlive this.
+    // The object keeps references to `whole` and `domain`.
     Trimmed(const Implicit& whole, const Domain& domain) noexcept : whole_(whole), domain_(domain) {}
 
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override {
