@@ -12,7 +12,8 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using F = hn::CappedTag<float, 8>; // most discs are a few pixels wide, and segments are short
+// Vectors are short, because most discs are a few pixels wide and segments are short.
+using F = hn::CappedTag<float, 8>;
 using W = hn::Vec<F>;
 
 // ---- Discs
@@ -27,7 +28,8 @@ struct InkDisc {
     float x, y, radius, alpha, depth;
 };
 
-// Approximates the covered share of a pixel by how far the disc's rim lies beyond the pixel's centre.
+// Approximates the share of a pixel that a disc covers. It depends on how far the disc's rim lies beyond the pixel's
+// centre.
 HWY_INLINE W coverage(W squared, W outer) {
     const F d;
     return hn::Min(hn::Max(hn::Sub(outer, hn::Sqrt(squared)), hn::Zero(d)), hn::Set(d, 1.0F));
@@ -65,7 +67,7 @@ HWY_INLINE W disc_before_host(const DiscTile& t, const InkDisc& disc, std::int32
     return hn::IfThenZeroElse(hn::Lt(hn::LoadU(d, t.host + at), hn::Set(d, disc.depth)), cover);
 }
 
-// Blends ink over the paper and the inks below it. color: NULL if all inks have one colour.
+// Blends ink over the paper and over the inks drawn before. `color` is NULL if all inks have one colour.
 HWY_INLINE void add_ink(const DiscTile& t, const float* color, std::int32_t at, W ink) {
     const F d;
     const W left = hn::Sub(hn::Set(d, 1.0F), ink);
@@ -77,7 +79,7 @@ HWY_INLINE void add_ink(const DiscTile& t, const float* color, std::int32_t at, 
     }
 }
 
-// Blends paper over the inks below it.
+// Blends paper over the inks drawn before.
 HWY_INLINE void add_paper(const DiscTile& t, std::int32_t at, W paper) {
     const F d;
     const W left = hn::Sub(hn::Set(d, 1.0F), paper);
@@ -123,7 +125,7 @@ void store(const RowColors& colors, const float* transmittance, std::int64_t cou
         };
         const auto alpha = channel(3);
         if (colors.straight)
-            // Straight formats store alpha 0 as all zeros.
+            // Formats with straight alpha store transparent pixels as all zeros.
             scale = hn::IfThenElseZero(hn::Gt(alpha, hn::Zero(d)), hn::Div(scale, alpha));
         auto bits = hn::Zero(word);
         const auto add = [&](hn::Vec<decltype(d)> value, int c) HWY_ATTR {
@@ -153,11 +155,12 @@ struct Edge {
     std::int32_t next; // the next edge that begins in the same row; -1: none
 };
 
-// The part of an edge in a row. The area that it covers to its right in a pixel column is the mean of clamp(right - x,
-// 0, 1) over the height of the part. With F the integral of clamp, this is a difference of F over the range of x.
+// The part of an edge in a row. In each pixel column, the edge covers an area to its right: the mean of clamp(right -
+// x, 0, 1) over the height of the part. With F as the integral of clamp, this mean is a difference of F over the range
+// of x.
 struct EdgePart {
-    float x, way; // x at the part's upper end, and the change of x
-    float scale;  // signed height divided by way; the signed height alone if steep
+    float x, way; // x at the part's upper end, and the change of x to its lower end
+    float scale;  // the signed height divided by `way`; if the part is steep, the signed height
     bool steep;
 };
 
@@ -172,7 +175,7 @@ struct StrokeTarget {
     const StrokePlanes& planes;
     Spans& spans;
     bool even;          // all segments have one opacity, so the `ink` plane is unused
-    float alpha;        // that opacity times the alpha of the stroke's ink
+    float alpha;        // the opacity of all segments, if `even`, times the alpha of the stroke's ink
     bool is_direct;     // there is only one outline; it is blended directly, without the planes
     const float* color; // the ink's colour; NULL if all inks have one colour
 };
@@ -181,7 +184,7 @@ struct StrokeTarget {
 struct Edges {
     Edge at[Outline::most];
     std::int32_t first[most_rows];
-    std::int32_t count, top, bottom; // rows
+    std::int32_t count, top, bottom; // the number of edges, and the first and last row
 };
 
 HWY_INLINE void find_edges(const Outline& outline, std::int32_t rows, Edges& edges) {
@@ -287,7 +290,7 @@ HWY_INLINE W place_along(const Shade& shade, std::int32_t y, W x) {
     return hn::Min(hn::Max(along, hn::Zero(d)), hn::Set(d, 1.0F));
 }
 
-// Adds the cover of a row's pixels to the cover and ink planes.
+// Adds the coverage of a row's pixels to the cover and ink planes.
 HWY_INLINE void add(const StrokeTarget& t, const Shade& shade, std::int32_t y, std::int32_t x, W cover) {
     const F d;
     const std::int32_t at = y * t.tile.stride + x;
@@ -347,7 +350,7 @@ void draw_outline(const StrokeTarget& t, const Outline& outline, const Shade& sh
 }
 
 HWY_INLINE Shade shade_of(const SegmentList& list, const drawing::StrokePoint& a, const drawing::StrokePoint& b) {
-    // Doubles are needed since a segment may begin far away.
+    // Doubles are needed because a segment may begin far away.
     const double x = static_cast<double>(b.x) - static_cast<double>(a.x);
     const double y = static_cast<double>(b.y) - static_cast<double>(a.y);
     const double square = x * x + y * y;
@@ -370,7 +373,8 @@ HWY_INLINE void clear_spans(const DiscTile& t, Spans& spans) {
     }
 }
 
-// Draws outlines that do not overlap. Returns false at the first overlap; the parts drawn until then must be cleared.
+// Draws outlines that do not overlap. Returns false at the first overlap; the caller must then clear the parts that
+// were drawn.
 HWY_INLINE bool draw_segments(StrokeTarget& t, const SegmentList& list) {
     Outliner outliner(list, false);
     Outline outline;

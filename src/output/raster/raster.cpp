@@ -18,9 +18,9 @@ using drawing::Stroke;
 using drawing::StrokePoint;
 
 constexpr std::int32_t side = drawing::tile_size;
-constexpr std::int32_t stride = side + 16; // vectors may extend past the end of a row
+constexpr std::int32_t stride = side + 16; // larger than a row, so that vector stores may pass the end of a row
 constexpr std::int64_t plane = std::int64_t{stride} * side;
-constexpr std::int64_t points_ahead = 10; // prefetch this many points of the tile's next stroke
+constexpr std::int64_t points_ahead = 10; // how many points of the tile's next stroke are prefetched
 enum Plane : std::int64_t { transmittance, red, green, blue, host, cover, ink, planes };
 static_assert(side <= StrokeUnion::most_side);
 
@@ -30,10 +30,10 @@ struct Job {
     const Image& image;
     const DrawSettings& settings;
     const RasterLoops& loops;
-    const drawing::Tiles& tiles; // the tiles of the dots
+    const drawing::Tiles& tiles; // the tiles that list the dots
     glm::ivec2 first_pixel;      // the image's pixel at the corner of the first tile
     Rect drawn;
-    const float* colors; // InkList::colors
+    const float* colors; // the array for InkList::colors
     bool published;      // discs are painted in the order of the dots, paper over ink
     bool one_color;      // all inks have one colour, so their order does not matter
     glm::vec4 paper;     // premultiplied, in the colour space of blending
@@ -44,7 +44,7 @@ struct Job {
     [[nodiscard]] glm::vec4 in_blend_space(const glm::vec4& color) const noexcept {
         return settings.linear_light ? to_linear(color) : color;
     }
-    // The colour of all inks as opaque ink: the transmittance plane accounts for their alpha.
+    // Returns the colour of all inks as an opaque colour. Their alpha is accounted for in the transmittance plane.
     [[nodiscard]] glm::vec4 one_ink() const noexcept { return in_blend_space({glm::vec3(drawing.ink_color), 1.0F}); }
     [[nodiscard]] std::int64_t element(std::int32_t x, std::int32_t y) const noexcept {
         return std::int64_t{y} * image.width + x;
@@ -58,9 +58,9 @@ struct Canvas {
     Rect rect;        // the pixels of the image that the tile draws
     float* planes;
     StrokePlanes strokes;
-    base::Array<std::uint32_t>& numbers; // scratch
+    base::Array<std::uint32_t>& numbers; // working memory
 
-    // The index in a plane of column 0 of the image's row y; it may lie outside the plane.
+    // Returns the index, in a plane, of column 0 of the image's row y. The index may lie outside the plane.
     [[nodiscard]] std::int64_t row_begin(std::int32_t y) const noexcept {
         HRBFNPR_ASSERT(y >= rect.top && y < rect.bottom);
         return std::int64_t{y - first.y} * stride - first.x;
@@ -86,8 +86,8 @@ DiscTile prepare(const Job& job, const Canvas& canvas) noexcept {
 
 // ---- Ink
 
-// Draws dots and strokes from far to near. If all inks have one colour the order does not matter: dots follow the
-// strokes.
+// Draws dots and strokes from far to near. If all inks have one colour, the order does not matter, and all strokes are
+// drawn before all dots.
 void draw_tile(const Job& job, const Canvas& canvas, const DiscTile& target) {
     const Drawing& drawing = job.drawing;
     const auto left = static_cast<float>(canvas.first.x), top = static_cast<float>(canvas.first.y);
@@ -104,7 +104,7 @@ void draw_tile(const Job& job, const Canvas& canvas, const DiscTile& target) {
         for_dots(draw_dots);
         return;
     }
-    base::Array<std::uint32_t>& numbers = canvas.numbers; // dots, then segments
+    base::Array<std::uint32_t>& numbers = canvas.numbers; // numbers of dots, followed by numbers of segments
     numbers.clear();
     if (!job.one_color)
         for_dots([&](std::span<const std::uint32_t> some) {
@@ -180,7 +180,7 @@ void store(const Job& job, const Canvas& canvas) noexcept {
 
 // The nearest object at a pixel's centre: a layer, or ink. Ink lies slightly nearer than its layer.
 struct Nearest {
-    float depth; // eye units
+    float depth; // in eye units
     float window;
     std::uint32_t id;
     drawing::MarkClass mark_class;
@@ -297,7 +297,7 @@ void Raster::draw(const Drawing& drawing, const Image& image, const DrawSettings
     while (numbers_.size() < workers) numbers_.add(runtime_.memory);
     if (!drawing.strokes.empty()) {
         while (unions_.size() < workers) unions_.add(runtime_.memory);
-        // Any worker may get the fullest tile, so all reserve room for it.
+        // Any worker may get the tile with the most ink, so all workers reserve room for it.
         const std::int64_t most = drawing.dot_tiles.largest_tile_count() + drawing.segment_tiles.largest_tile_count();
         for (std::int64_t worker = 0; worker < workers; ++worker) numbers_[worker].of_tile.reserve(most);
     }

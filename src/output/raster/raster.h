@@ -83,7 +83,7 @@ struct Rect {
     [[nodiscard]] bool empty() const noexcept { return left >= right || top >= bottom; }
 };
 
-// The pixels of the image whose centres lie in the viewport.
+// Returns the pixels of the image whose centres lie in the viewport.
 [[nodiscard]] inline Rect drawn_rect(const glm::dvec4& viewport, const Image& image) noexcept {
     const auto edge = [](double at, std::int32_t limit) {
         return static_cast<std::int32_t>(std::clamp(std::ceil(at - 0.5), 0.0, static_cast<double>(limit)));
@@ -98,14 +98,14 @@ struct Rect {
     return {glm::vec3(straight) * straight.w, straight.w};
 }
 
-// Conversion between encoded sRGB values and linear light, for colours in [0, 1]. [IEC 61966-2-1]
+// Converts between encoded sRGB values and linear light, for colours in [0, 1]. [IEC 61966-2-1]
 [[nodiscard]] inline float to_linear(float encoded) noexcept {
     return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
 }
 [[nodiscard]] inline float from_linear(float light) noexcept {
     return light <= 0.0031308F ? light * 12.92F : 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F;
 }
-// Converts premultiplied colours in the same way; alpha does not change.
+// Converts a premultiplied colour from sRGB to linear light. Alpha does not change.
 [[nodiscard]] inline glm::vec4 to_linear(const glm::vec4& c) noexcept {
     if (!(c.w > 0.0F)) return glm::vec4(0.0F);
     return {to_linear(c.x / c.w) * c.w, to_linear(c.y / c.w) * c.w, to_linear(c.z / c.w) * c.w, c.w};
@@ -125,7 +125,7 @@ struct Rect {
     return static_cast<float>(std::to_integer<std::uint8_t>(value)) * scale;
 }
 
-// A coverage pixel loads as black with the coverage as alpha.
+// Loads a pixel. In the coverage format the colour is black, and the alpha is the coverage.
 [[nodiscard]] inline glm::vec4 load_pixel(const std::byte* at, Format format) noexcept {
     if (format == Format::coverage8) return {0.0F, 0.0F, 0.0F, from_byte(*at)};
     glm::vec4 color;
@@ -144,7 +144,7 @@ inline void store_pixel(std::byte* at, const glm::vec4& given, Format format) no
         return;
     }
     glm::vec4 color = given; // premultiplied
-    // Straight formats store alpha 0 as all zeros.
+    // Formats with straight alpha store transparent pixels as all zeros.
     if (!is_premultiplied(format))
         color = color.w > 0.0F ? glm::vec4(glm::vec3(color) / color.w, color.w) : glm::vec4(0.0F);
     if (is_bgra(format)) std::swap(color.x, color.z);
@@ -166,14 +166,14 @@ struct DiscTile {
     const float* host;                  // depth of the host's picture, which falls towards the eye; or NULL
 };
 
-// The inks inks[numbers[i]]; (left, top) is the tile's first pixel.
+// A list of inks: inks[numbers[i]] for each i. (left, top) is the tile's first pixel.
 struct InkList {
     const drawing::Dot* inks;
     const std::uint32_t* numbers;
     std::int64_t count;
     float left, top;
     const float* colors;   // four numbers for each layer: RGB, and an alpha that multiplies the alpha of the ink
-    float one_alpha;       // replaces that alpha where all inks have one colour
+    float one_alpha;       // used in place of the alphas in `colors` if all inks have one colour
     float host_depth_sign; // -1 if the host's depth rises towards the eye, else 1
 };
 
@@ -188,11 +188,11 @@ struct StrokePlanes {
 struct RowColors {
     float paper[4]; // premultiplied, in the order of the bytes
     float ink[4];
-    bool straight; // divide the other channels by the last one, alpha
+    bool straight; // if true, the other channels are divided by the last one, alpha
 };
 
 struct RasterLoops {
-    // Draws discs in their order. Discs of paper need the colour planes, and restore the paper.
+    // Draws discs in the given order. Discs of paper need the colour planes, and restore the paper's colour.
     void (*discs)(const DiscTile& tile, const InkList& list);
     // Draws the union of a stroke's segments: the stroke gets no darker where they overlap. The cover of a pixel is the
     // exact area. Throws Error{out_of_memory}.
@@ -204,7 +204,8 @@ struct RasterLoops {
 
 // ---- The rasteriser
 
-// Holds the working memory of one call at a time; it allocates nothing once warm.
+// Draws images. The object holds the working memory of one call at a time, and keeps it, so later calls of the same
+// size allocate nothing.
 class Raster {
 public:
     explicit Raster(const base::Runtime& runtime) noexcept
@@ -215,7 +216,7 @@ public:
     void draw(const drawing::Drawing& drawing, const Image& image, const DrawSettings& settings);
 
 private:
-    // One for each worker, on separate cache lines.
+    // The numbers of a tile's ink. Each worker has its own object, on a separate cache line.
     struct alignas(base::Memory::alignment) Numbers {
         explicit Numbers(base::Memory& memory) noexcept : of_tile(memory) {}
         base::Array<std::uint32_t> of_tile; // the dots of the tile, then its segments
@@ -223,10 +224,10 @@ private:
 
     const base::Runtime& runtime_;
     RasterLoops loops_;
-    // The tiles of the discs for drawings in published mode, which have no tiles of dots.
+    // Lists the discs of each tile, for drawings in published mode, which have no tile lists for dots.
     drawing::Tiles published_tiles_;
     base::Array<float> planes_;      // the planes of a tile, for each worker
-    base::Array<float> colors_;      // InkList::colors
+    base::Array<float> colors_;      // the array for InkList::colors
     base::List<Numbers> numbers_;    // one for each worker
     base::List<StrokeUnion> unions_; // one for each worker, if there are strokes
 };

@@ -20,19 +20,19 @@
 
 namespace hrbfnpr::output {
 
-// The segments of one stroke that reach a tile, each given by the index of its first point, in ascending order.
+// The segments of a stroke that reach a tile, in ascending order. Each is given by the index of its first point.
 struct SegmentList {
     const drawing::StrokePoint* points;
     const drawing::Stroke* stroke;
     const std::uint32_t* numbers;
     std::int64_t count;
-    float left, top;       // the tile's first pixel
+    float left, top;       // the first pixel of the tile
     const float* color;    // RGB and alpha of the ink; the RGB is not read if the tile has no colour planes
-    float host_depth_sign; // see InkList
+    float host_depth_sign; // -1 if the host's depth rises towards the eye, else 1
 };
 
 struct Place {
-    double x, y; // pixels, relative to the tile
+    double x, y; // in pixels, relative to the tile
 };
 
 inline Place operator+(const Place& a, const Place& b) noexcept { return {a.x + b.x, a.y + b.y}; }
@@ -46,15 +46,15 @@ inline Place unit(const Place& a) noexcept { return (1.0 / std::sqrt(dot(a, a)))
 
 // Consecutive segments whose directions are within 60 degrees of the first segment's, and their bounding box.
 struct SegmentGroup {
-    float along_x, along_y, square; // the first segment's vector, pixels, and its squared length
+    float along_x, along_y, square; // the vector of the first segment, in pixels, and its squared length
     float left, top, right, bottom;
-    std::int64_t begin, end; // numbers of segments
+    std::int64_t begin, end; // the range of segments in the list
 
     [[nodiscard]] bool accepts(float x, float y, std::int64_t number) const noexcept {
         const float cosine = x * along_x + y * along_y;
         return number == end && cosine >= 0.0F && cosine * cosine >= 0.25F * square * (x * x + y * y);
     }
-    // Whether the directions of the two first segments differ by less than 120 degrees.
+    // Returns whether the first segments of the two groups differ in direction by less than 120 degrees.
     [[nodiscard]] bool continues_in(const SegmentGroup& next) const noexcept {
         const float cosine = along_x * next.along_x + along_y * next.along_y;
         return cosine > 0.0F || cosine * cosine < 0.25F * square * next.square;
@@ -77,7 +77,7 @@ inline bool are_consecutive(const SegmentGroup& a, const SegmentGroup& b, const 
 
 using SegmentGroups = std::array<SegmentGroup, 12>;
 
-// Returns the number of groups in the list, or size() + 1 if the array is too small.
+// Finds the groups in the list. Returns their number, or size() + 1 if there are more than the array can hold.
 inline std::size_t find_segment_groups(const SegmentList& list, SegmentGroups& groups) noexcept {
     std::size_t count = 0;
     for (std::int64_t i = 0; i < list.count; ++i) {
@@ -97,17 +97,19 @@ inline std::size_t find_segment_groups(const SegmentList& list, SegmentGroups& g
     return count;
 }
 
-// Whether parts of the stroke that do not follow each other may overlap in the tile.
+// Returns whether non-adjacent parts of the stroke may overlap in the tile.
 [[nodiscard]] inline bool may_overlap(const SegmentList& list) noexcept {
     SegmentGroups groups;
     const std::size_t count = find_segment_groups(list, groups);
     if (count <= 1 || count > groups.size()) return count > 1;
     const bool pointed =
         list.stroke->cap_begin == drawing::Cap::pointed || list.stroke->cap_end == drawing::Cap::pointed;
-    const float widest = pointed ? std::max(1.0F, 2.0F * drawing::point_length) : 1.0F; // a pointed tip reaches farther
+    // A pointed tip reaches farther than a round end.
+    const float widest = pointed ? std::max(1.0F, 2.0F * drawing::point_length) : 1.0F;
     for (SegmentGroup& group : std::span(groups).first(count))
         for (std::int64_t i = group.begin; i <= group.end; ++i)
-            group.reach(list.points[i], widest * list.points[i].radius + 1.0F); // so that no pixel meets two of them
+            // One pixel more, so that no pixel meets two groups.
+            group.reach(list.points[i], widest * list.points[i].radius + 1.0F);
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = i + 1; j < count; ++j)
             if (!are_consecutive(groups[i], groups[j], *list.stroke) && !groups[i].is_apart_from(groups[j]))
@@ -123,17 +125,18 @@ struct Outline {
     static constexpr std::int32_t most = 416;
     static constexpr std::int32_t most_of_a_leg = 140; // two quarter circles of 64 chords each, and corners
     std::int32_t count = 0, back = most;
-    std::int32_t gentle[2] = {0, 0}; // the number of last places on the right and left that belong to gentle turns
+    // On the right and on the left, the number of the last places that belong to gentle turns.
+    std::int32_t gentle[2] = {0, 0};
     Place at[most];
 
     void clear() noexcept {
         count = gentle[0] = gentle[1] = 0;
         back = most;
     }
-    // Whether the last place may be omitted because it lies on the line from the place before it to the next one.
+    // Returns whether the last place may be omitted because it lies on the line between its neighbours.
     [[nodiscard]] bool may_drop(const Place& next, bool left) const noexcept {
         const std::int32_t passed = gentle[left ? 1 : 0];
-        if (passed % 4 == 0) return false; // every fourth place stays, since the errors of dropped places add up
+        if (passed % 4 == 0) return false; // every fourth place is kept, because the errors of omitted places add up
         const Place& last = at[left ? count - 1 : back];
         const Place& before = at[left ? count - 2 : back + 1];
         const Place along = next - before;
@@ -146,15 +149,15 @@ struct Outline {
         at[left ? count++ : --back] = place;
     }
     [[nodiscard]] bool has_room() const noexcept { return back - count > 2 * most_of_a_leg; }
-    // Appends the right side to the left side once both are complete.
+    // Closes the polygon: appends the right side to the left side.
     void close() noexcept {
         for (; back < most; ++back) at[count++] = at[back];
     }
 };
 
-// Adds the corners of an arc of at most a right angle between two unit vectors, without the arc's ends. The ends lie on
-// the arc and the other corners outside it, so that the area is kept. Only square roots and quotients are used, which
-// are identical on all processors.
+// Adds the corners of an arc of at most 90 degrees between two unit vectors. The ends of the arc are not added. They
+// lie on the arc, and the added corners lie outside it, so that the area is exact. Only square roots and quotients are
+// used, because they give the same bits on all processors.
 inline void add_arc(const Place& centre, double radius, const Place& from, const Place& to, double scale,
                     Outline& outline, bool left = true) noexcept {
     double cosine = dot(from, to);
@@ -178,8 +181,8 @@ inline void add_arc(const Place& centre, double radius, const Place& from, const
     }
 }
 
-// Adds the cap beyond an end of the line, from one corner of the end to the other. `out` is the line's outward
-// direction.
+// Adds the cap at an end of a line, from one corner of the end to the other. `out` is the direction outward along the
+// line.
 inline void add_cap(const Place& centre, double radius, const Place& out, drawing::Cap cap, double scale,
                     Outline& outline) noexcept {
     const Place from{out.y, -out.x};
@@ -192,7 +195,7 @@ inline void add_cap(const Place& centre, double radius, const Place& out, drawin
     }
 }
 
-// Finds where two lines cross: at + s * along = other + t * direction.
+// Finds where two lines cross: at + s * along = other + t * direction. Writes s and t.
 inline bool crossing(const Place& at, const Place& along, const Place& other, const Place& direction, double& s,
                      double& t) noexcept {
     const double sine = cross(along, direction);
@@ -207,14 +210,14 @@ inline bool crossing(const Place& at, const Place& along, const Place& other, co
 // segments, each polygon ends at right angles to its segment, and they overlap.
 class Outliner {
 public:
-    // overlap: whether outlines may overlap each other.
+    // `overlap` tells whether outlines may overlap each other.
     Outliner(const SegmentList& list, bool overlap) noexcept
         : list_(list), arcs_(overlap ? raster_tuning.overlap_factor : 1.0), first_(list.stroke->first),
           last_(list.stroke->first + list.stroke->count - 2) {}
 
-    // Makes the outline of the list's segment i with its share of joins and caps. Unless `single` is set, segments that
-    // follow in about the same direction are included. Returns the number of segments in the outline. An empty outline
-    // covers nothing.
+    // Makes the outline of the list's segment i, with its share of the joins and its caps. If `single` is false, the
+    // following segments are included as long as their direction is about the same. Returns the number of included
+    // segments. The outline is empty if it covers nothing.
     std::int64_t outline(std::int64_t i, bool single, Outline& outline) noexcept {
         HRBFNPR_ASSERT(i >= 0 && i < list_.count);
         const drawing::Stroke& stroke = *list_.stroke;
@@ -243,7 +246,8 @@ public:
         begin_ = begin;
         return end - i;
     }
-    // Call it after outline(). Makes the round join at the segment's beginning if the segment overlaps the one before.
+    // Makes a round join at the beginning of the current segment if it overlaps the previous segment. Call it after
+    // outline().
     bool join(Outline& outline) const noexcept {
         outline.clear();
         if (leg_.number < 0 || begin_.kind != Kind::open) return false;
@@ -260,25 +264,26 @@ public:
         outline.add(leg_.a + radius * to);
         return true;
     }
-    // Whether the outline overlaps an adjacent segment's outline.
+    // Returns whether the current outline overlaps that of an adjacent segment.
     [[nodiscard]] bool overlaps() const noexcept { return begin_.kind == Kind::open || end_.kind == Kind::open; }
 
 private:
     enum class Kind : std::uint8_t { cap, shared, round, open };
-    // A segment of positive length.
+    // A segment of positive length, with its unit direction.
     struct Leg {
-        std::int64_t number = -1; // -1: no such segment
+        std::int64_t number = -1; // index of the segment in the list; -1: no segment
         Place a{}, b{};
         double radius_a = 0.0, radius_b = 0.0, length = 0.0, taper = 0.0;
-        Place along{}; // unit
+        Place along{}; // unit vector from the first to the last point
         [[nodiscard]] Place left() const noexcept { return {along.y, -along.x}; }
     };
-    // The end at which two adjacent segments meet.
+    // The place where two adjacent segments meet.
     struct Joint {
         Kind kind = Kind::cap;
         bool left_outside = false;
-        bool corner_a = false, corner_b = false; // whether the inner corner of one leg lies outside the other
-        // The edge that the polygons of both segments share; for Kind::shared, `outer` is its left end.
+        // Whether the inner corner of one segment lies outside the other segment.
+        bool corner_a = false, corner_b = false;
+        // The ends of the edge that both segments' polygons share. For Kind::shared, `outer` is its left end.
         Place inner{}, outer{};
         Place middle{}; // unit vector from the centre to the middle of the outer arc
     };
@@ -302,7 +307,7 @@ private:
         leg.number = number;
         return true;
     }
-    // Finds the next segment of positive length, forwards for step 1, backwards for step -1.
+    // Finds the next segment of positive length. It searches forwards if `step` is 1, and backwards if it is -1.
     void find_next(std::int64_t number, std::int64_t step, Leg& leg) const noexcept {
         HRBFNPR_ASSERT(step == 1 || step == -1);
         leg.number = -1;
@@ -312,9 +317,9 @@ private:
         for (std::int64_t i = step > 0 ? first_ : last_; i != number; i += step)
             if (find_leg(i, leg)) return;
     }
-    // Finds where the inner edges of two legs meet. If the width changes, the edges may miss each other; then the end
-    // of the wider leg meets the edge of the other. Returns false if they do not meet within the adjacent halves of the
-    // legs.
+    // Finds where the inner edges of two legs meet. If the legs have different widths, the edges may miss each other;
+    // then it finds where the end of the wider leg meets the edge of the other leg. Returns false if they do not meet
+    // within the halves of the legs near the joint.
     static bool find_inner_corner(const Leg& a, const Leg& b, double side, Joint& joint) noexcept {
         const Place from = a.a + side * a.radius_a * a.left();
         const Place corner_a = a.b + side * a.radius_b * a.left();
@@ -351,10 +356,10 @@ private:
         const double sine = cross(a.along, b.along);
         const double radius = b.radius_a;
         const double scale = 1.0 / std::max(1.0 + cosine, 1e-9);
-        const double bend = std::abs(sine) * scale; // tangent of half the turn
+        const double bend = std::abs(sine) * scale; // the tangent of half of the turning angle
         const bool fits = a.radius_b == radius && radius * bend <= 0.5 * std::min(a.length, b.length);
         joint.left_outside = sine >= 0.0;
-        // The corner is outside the arc along a length of twice this. A pixel sees at most its own width of that
+        // The corner lies outside the arc over a length of twice this. A pixel meets at most one pixel width of that
         // length.
         const double reach = radius * bend;
         const double taper = std::max(a.taper, b.taper);
@@ -396,8 +401,8 @@ private:
         find_next(leg_.number, 1, next_);
         find_joint(leg_, next_, end_);
     }
-    // Whether the list's segment i continues an outline that began with `from`: its opacity is the same up to
-    // same_opacity, and its direction is within 60 degrees.
+    // Returns whether segment i of the list may continue the outline that began with `from`. Their opacities must be
+    // equal up to same_opacity, and their directions must be within 60 degrees.
     bool continues_outline(std::int64_t i, const Leg& from) const noexcept {
         if (i == list_.count || std::int64_t{list_.numbers[i]} != next_.number || end_.kind == Kind::open) return false;
         const float opacity = list_.points[from.number].opacity;
@@ -405,7 +410,7 @@ private:
                std::abs(list_.points[next_.number + 1].opacity - opacity) <= raster_tuning.same_opacity &&
                dot(from.along, next_.along) > 0.5;
     }
-    // Adds one side of a leg at its beginning or end, in the leg's direction.
+    // Adds the left or the right corner of a leg at its beginning or end.
     void add_side(const Leg& leg, bool at_end, bool left, Outline& outline) const noexcept {
         const Joint& joint = at_end ? end_ : begin_;
         const Place across = (left ? 1.0 : -1.0) * leg.left();
@@ -433,7 +438,7 @@ private:
             if (!at_end && joint.corner_b) outline.add(corner, left);
         }
     }
-    // Adds a disc for a stroke whose points all coincide, if it has round ends.
+    // Adds a disc if all points of the stroke coincide and its ends are round.
     void add_disc(Outline& outline) const noexcept {
         const drawing::Stroke& stroke = *list_.stroke;
         if (!stroke.closed && stroke.cap_begin != drawing::Cap::round && stroke.cap_end != drawing::Cap::round) return;
@@ -448,7 +453,7 @@ private:
     }
 
     const SegmentList& list_;
-    double arcs_;               // factor for the tolerance of arcs
+    double arcs_;               // factor that multiplies the tolerance of arcs
     std::int64_t first_, last_; // the stroke's first and last segment
     Leg previous_, leg_, next_;
     Joint begin_, end_;
@@ -456,24 +461,24 @@ private:
 
 // ---- Unions of outlines
 
-// The opacity and depth of a segment at the pixels that it covers. Both change linearly along it.
+// The opacity and depth of a segment over the pixels that it covers. They change linearly along the segment.
 struct Shade {
-    float from, step_x, step_y; // the parameter along the segment: from + step . pixel, in [0, 1]
+    float from, step_x, step_y; // the position along the segment, in [0, 1]: from + step . pixel
     float opacity, more_opacity;
     float window, more_window;
 };
 
-// Computes the exact area of each pixel that overlapping outlines of a stroke cover together, row by row. Between the
-// heights where edges begin, end or cross, the order of the edges does not change, and the areas are trapezoids. A
-// place is inside if its winding number is not 0. Each worker has one.
+// Computes exactly the area of each pixel that overlapping outlines of a stroke cover together, row by row. A row is
+// cut into slabs at the heights where edges begin, end or cross. Within a slab the order of the edges does not change,
+// and the areas are trapezoids. A place is inside if its winding number is not 0. Each worker has its own object.
 class alignas(base::Memory::alignment) StrokeUnion {
 public:
-    static constexpr std::int32_t most_side = 64; // the largest width and height of a tile, pixels
+    static constexpr std::int32_t most_side = 64; // the largest width and height of a tile, in pixels
 
     explicit StrokeUnion(base::Memory& memory)
         : edges_(memory), shades_(memory), winding_(memory), active_(memory), pieces_(memory), breaks_(memory),
           order_(memory), inside_(memory), spans_(memory), row_shades_(memory) {
-        // Few drawings need more room than this.
+        // Room for the edges of a usual tile.
         edges_.reserve(2048);
         spans_.reserve(1024);
         for (base::Array<std::int32_t>* const numbers : {&winding_, &active_, &order_, &inside_, &row_shades_})
@@ -482,8 +487,8 @@ public:
         pieces_.reserve(512);
         breaks_.reserve(raster_tuning.most_breaks + 1);
     }
-    // Starts a tile. A place that several outlines cover belongs to the nearest one if `by_depth` is set, else to the
-    // first one.
+    // Starts a tile. If several outlines cover a place, it belongs to the nearest outline if `by_depth` is set, else to
+    // the first one.
     void begin(std::int32_t width, std::int32_t height, bool by_depth) noexcept {
         HRBFNPR_ASSERT(width > 0 && width <= most_side && height > 0 && height <= most_side);
         width_ = width;
@@ -497,8 +502,8 @@ public:
         active_.clear();
         std::fill_n(first_, height, -1);
     }
-    // Adds the edges of an outline. Edges right of the tile are dropped; edges left of it move to its left side. Throws
-    // Error{out_of_memory}.
+    // Adds the edges of an outline. Edges to the right of the tile are dropped, and edges to the left are moved to its
+    // left side. Throws Error{out_of_memory}.
     void add(const Outline& outline, const Shade& shade) {
         if (outline.count == 0) return;
         if (shades_.empty() || !same_shade(shades_.back(), shade)) {
@@ -531,8 +536,8 @@ public:
     }
     [[nodiscard]] std::int32_t top() const noexcept { return top_; }
     [[nodiscard]] std::int32_t bottom() const noexcept { return bottom_; }
-    // Finds the shades of a row and the spans that they cover; returns the number of shades. Rows must be cut in order,
-    // from top() to bottom().
+    // Finds the shades in a row, and the pixels that each covers. Returns the number of shades. Call it for all rows in
+    // order, from top() to bottom().
     std::int32_t cut(std::int32_t y) {
         HRBFNPR_ASSERT(y >= 0 && y < height_);
         spans_.clear();
@@ -544,7 +549,7 @@ public:
         std::sort(row_shades_.begin(), row_shades_.end());
         return static_cast<std::int32_t>(row_shades_.size());
     }
-    // Writes the share of each pixel from `left` to `right` that belongs to the row's i-th shade.
+    // Writes, for each pixel from `left` to `right`, the share that belongs to the row's i-th shade.
     const Shade& cover(std::int32_t i, float* pixels, std::int32_t& left, std::int32_t& right) noexcept {
         HRBFNPR_ASSERT(i >= 0 && i < row_shades_.size());
         const std::int32_t shade = row_shades_[i];
@@ -573,16 +578,17 @@ private:
     // An edge, stored from its upper end to its lower end.
     struct Edge {
         double x, top, bottom, slope;
-        std::int32_t winding; // winding number right of the edge minus the one left of it
+        std::int32_t winding; // the winding number to the right of the edge minus the one to its left
         std::int32_t shade;
         std::int32_t next; // the next edge that begins in the same row; -1: none
     };
     // The part of an edge in the current row.
     struct Piece {
-        double upper, lower, x, slope; // x: at height 0 of the tile
-        double low, high;              // the range of x in the row
+        // `x` is at height 0 of the tile; the others are the heights of the ends and the slope of x.
+        double upper, lower, x, slope;
+        double low, high; // the range of x in the row
         std::int32_t winding, shade;
-        double slab_x; // x in the current slab
+        double slab_x; // x in the middle of the current slab
         [[nodiscard]] double at(double y) const noexcept { return x + y * slope; }
     };
     // A trapezoid between two edges, from one height to another.
@@ -594,11 +600,11 @@ private:
     [[nodiscard]] static std::int32_t row_of(double y, std::int32_t rows) noexcept {
         return static_cast<std::int32_t>(std::clamp(y, 0.0, static_cast<double>(rows)));
     }
-    // Outlines of the same constant opacity share a shade.
+    // Returns whether two outlines can share a shade, because they have the same constant opacity.
     bool same_shade(const Shade& a, const Shade& b) const noexcept {
         return !by_depth_ && a.more_opacity == 0.0F && b.more_opacity == 0.0F && a.opacity == b.opacity;
     }
-    // Finds the parts of edges in a row. active_ keeps the edges that continue into the next row.
+    // Finds the parts of edges in a row. active_ keeps edges that continue into the next row.
     void find_pieces(std::int32_t y) {
         const double top = static_cast<double>(y);
         for (std::int32_t e = first_[y]; e >= 0; e = edges_[e].next) active_.push_back(e);
@@ -650,7 +656,7 @@ private:
         }
         std::sort(breaks_.begin(), breaks_.end());
     }
-    // Chooses the shade that owns a place among the shades that cover it.
+    // Returns the shade that owns a place, among all shades that cover it.
     std::int32_t owning_shade(double x, double y) const noexcept {
         std::int32_t best = inside_[0];
         float nearest = 0.0F;
@@ -673,8 +679,8 @@ private:
         spans_.push_back({left.at(from), left.at(to), right.at(from), right.at(to), to - from, shade});
         if (std::find(row_shades_.begin(), row_shades_.end(), shade) == row_shades_.end()) row_shades_.push_back(shade);
     }
-    // Orders the pieces of a slab from left to right by insertion. They are sorted by their leftmost places already, so
-    // that an insertion moves few others.
+    // Sorts the pieces of a slab from left to right by insertion. They are already sorted by their leftmost places, so
+    // few pieces move.
     void find_order(double y) {
         order_.clear();
         for (std::int32_t number = 0; number < pieces_.size(); ++number) {
@@ -687,7 +693,7 @@ private:
             order_[k] = number;
         }
     }
-    // Updates the winding number of a shade when an edge of its outline is crossed.
+    // Updates the winding number of a shade when the sweep crosses an edge of its outline.
     void update_winding(std::int32_t shade, std::int32_t by) {
         const bool was_inside = winding_[shade] != 0;
         winding_[shade] += by;
@@ -700,7 +706,7 @@ private:
         *std::find(inside_.begin(), inside_.end(), shade) = inside_.back();
         inside_.resize(inside_.size() - 1);
     }
-    // Adds the trapezoids between two consecutive breaks.
+    // Adds the trapezoids of the slab between two consecutive breaks.
     void add_slab(double from, double to) {
         const double middle = 0.5 * (from + to);
         find_order(middle);
@@ -716,12 +722,13 @@ private:
             left = &piece;
             whose = now;
         }
-        constexpr Piece beyond{0.0, 0.0, 1e9, 0.0, 1e9, 1e9, 0, 0, 1e9}; // add() drops edges right of the tile
+        // A sentinel; add() drops edges to the right of the tile.
+        constexpr Piece beyond{0.0, 0.0, 1e9, 0.0, 1e9, 1e9, 0, 0, 1e9};
         if (whose >= 0) add_span(*left, beyond, from, to, whose);
         for (const std::int32_t shade : inside_) winding_[shade] = 0;
     }
-    // Adds the area right of an edge that goes from x0 to x1 over `height`. steps_ holds differences of adjacent
-    // pixels.
+    // Adds the area to the right of an edge that goes from x0 to x1 over `height`. steps_ stores differences between
+    // adjacent pixels.
     void add_edge(double x0, double x1, double height) noexcept {
         double low = std::min(x0, x1);
         double high = std::max(x0, x1);
@@ -743,7 +750,8 @@ private:
         }
         const auto first = static_cast<std::int32_t>(low);
         const auto last = static_cast<std::int32_t>(high);
-        if (first == last || first + 1 >= width_ + 1) { // The edge is within one pixel: add the mean area to its right.
+        // The edge is within one pixel: adds the mean area to its right.
+        if (first == last || first + 1 >= width_ + 1) {
             const double beyond = 0.5 * (low + high) - first;
             steps_[first] += height * (1.0 - beyond);
             steps_[first + 1] += height * beyond;
@@ -762,7 +770,7 @@ private:
     bool by_depth_ = false;
     base::Array<Edge> edges_;
     base::Array<Shade> shades_;
-    base::Array<std::int32_t> winding_; // the winding number of each shade's outlines at the current place
+    base::Array<std::int32_t> winding_; // for each shade, the winding number of its outlines at the current place
     std::int32_t first_[most_side];     // the first edge that begins in each row; -1: none
     base::Array<std::int32_t> active_;  // edges that cross the row
     base::Array<Piece> pieces_;
@@ -771,7 +779,7 @@ private:
     base::Array<std::int32_t> inside_; // shades whose winding number is not 0
     base::Array<Span> spans_;
     base::Array<std::int32_t> row_shades_; // the shades of the row
-    double steps_[most_side + 2];          // the cover of each pixel minus that of the pixel to its left
+    double steps_[most_side + 2];          // the coverage of each pixel minus that of its left neighbour
 };
 
 } // namespace hrbfnpr::output

@@ -12,14 +12,15 @@ struct RasterTuning {
     double same_point = 1e-6;
     // The greatest error of an edge, in pixels. Larger: fewer edges, less exact.
     double edge_tolerance = 0.0007;
-    // The greatest error of an arc's chords, in pixels; it is multiplied by the chord's length if that is below a
-    // pixel. Larger: fewer chords.
+    // The greatest distance of an arc's chords from the arc, in pixels. It is multiplied by the chord's length in
+    // pixels if that is below 1. Larger: fewer chords.
     double arc_tolerance = 0.006;
-    // The greatest error of an arc of one chord, in pixels; its error is all on one side.
+    // The greatest error of an arc that is a single chord, in pixels. It is smaller because the error is all on one
+    // side.
     double chord_tolerance = 0.0008;
-    // Both are multiplied by this where arcs may overlap, since their errors add up.
+    // The tolerances of arcs and chords are multiplied by this if arcs may overlap, because their errors add up.
     double overlap_factor = 0.2;
-    // A quarter circle has at most two to the power of this many chords.
+    // A quarter circle is halved at most this many times, so it has at most 2^6 chords.
     int most_halvings = 6;
     // Consecutive segments whose opacities differ by no more than this share an outline. Larger: fewer outlines,
     // visible steps.
@@ -27,10 +28,10 @@ struct RasterTuning {
 
     // ---- Unions of outlines
 
-    // The largest number of breaks of a row, which are the heights where edges begin, end or cross. A row with more is
-    // cut into this many slabs of equal height. Larger: very tangled strokes are more exact, more time.
+    // The largest number of breaks in a row. Breaks are the heights where edges begin, end or cross. A row with more
+    // breaks is cut into this many slabs of equal height. Larger: tangled strokes are more exact, but take more time.
     int most_breaks = 256;
-    // Slabs lower than this are skipped, in pixels.
+    // Slabs lower than this, in pixels, are skipped.
     double least_slab_height = 1e-12;
 };
 inline constexpr RasterTuning raster_tuning;

@@ -43,7 +43,7 @@ struct PagePoint {
     double radius; // half the line's width
 };
 [[nodiscard]] inline glm::dvec2 place_of(const PagePoint& p) noexcept { return {p.x, p.y}; }
-// The point at a share of the way from one point to another.
+// Returns the point at a share of the way from one point to another.
 [[nodiscard]] inline PagePoint between(const PagePoint& a, const PagePoint& b, double t) noexcept {
     return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.radius + t * (b.radius - a.radius)};
 }
@@ -58,7 +58,7 @@ struct PagePoint {
 
 // A line of one opacity.
 struct PagePath {
-    std::span<const PagePoint> points; // two or more
+    std::span<const PagePoint> points; // at least two points
     drawing::Cap begin = drawing::Cap::round, end = drawing::Cap::round;
     bool closed = false;  // the last point repeats the first
     double opacity = 1.0; // multiplies the alpha of the group's ink
@@ -96,7 +96,7 @@ struct PageGroup {
     static constexpr std::size_t most = 96;
     char name[most] = "";
     glm::vec4 ink{0.0F, 0.0F, 0.0F, 1.0F};
-    double pen_width = 0.0; // the width of all lines, mm; 0: each line has a separate width
+    double pen_width = 0.0; // the width of all lines, in mm; 0: each line has its own width
     std::uint32_t pen = 1;  // the number of a plotter's pen
     LineType line_type{};
 };
@@ -163,21 +163,21 @@ struct ShapeSettings {
     double width_step = 1.25; // ratio of the widths of two consecutive classes
     bool fills = false;       // lines and dots wider than their pen are filled by several passes
 
-    // A dot that a pen must fill is drawn as a spiral instead of a circle.
+    // Returns how dots are drawn: as spirals instead of circles if a pen must fill them.
     [[nodiscard]] DotShapes dots_of(double pen_width) const noexcept {
         return fills && dots == DotShapes::circles && pen_width > 0.0 ? DotShapes::spirals : dots;
     }
 };
 
 struct PenSpeeds {
-    double draw = 30.0, travel = 80.0; // mm/s
-    double seconds = 0.15;             // the time to lower or to raise the pen
+    double draw = 30.0, travel = 80.0; // the speeds of the lowered and of the raised pen, mm/s
+    double seconds = 0.15;             // the time to lower the pen, and the time to raise it
 };
 
 struct PlotSettings {
-    double join = 0.0, shortest = 0.0, dot_distance = 0.0; // mm; 0: derived from the pen's width
+    double join = 0.0, shortest = 0.0, dot_distance = 0.0; // in mm; 0: computed from the pen's width
     PenSpeeds speeds;
-    const char* pen_down = nullptr; // lines of G-code; NULL: the writer's own
+    const char* pen_down = nullptr; // lines of G-code; NULL: the default lines
     const char* pen_up = nullptr;
 };
 
@@ -185,11 +185,11 @@ struct PageSettings {
     PageFormat format = PageFormat::svg;
     bool in_plot_order = false;
     bool without_paper = false;
-    double width = 0.0, height = 0.0; // mm; 0: large enough for the drawings
+    double width = 0.0, height = 0.0; // in mm; 0: large enough for all drawings
     ShapeSettings shapes;
     PlotSettings plot;
 
-    // Plotter pens have a width and no opacity.
+    // Returns whether a plotter draws the page. A plotter's pens have a width and no opacity.
     [[nodiscard]] bool for_plotter() const noexcept {
         return format == PageFormat::hpgl || format == PageFormat::gcode;
     }
@@ -201,24 +201,24 @@ struct PageSettings {
 [[nodiscard]] std::unique_ptr<PageSink> line_types(base::Memory& memory, PageSink& next);
 
 class PenTrack;
-// Clips the lines of a group and keeps them until the group ends. Then it joins them, drops short ones and fills those
-// that are wider than the pen; it drops dots that are too close to others; and it passes everything on in the order of
-// a tour. Texts are passed on immediately. Lines are clipped to the page size in `settings`. `track` counts the lines
-// that are passed on; if it is NULL, the next sink counts them.
+// Clips the lines of a group, and keeps them until the group ends. Then it joins lines, drops short ones, fills those
+// that are wider than the pen, drops dots that are too close to others, and passes everything on in the order of a
+// tour. Texts are passed on immediately. Lines are clipped to the page size in `settings`. If `track` is not NULL, it
+// counts the lines that are passed on; otherwise the next sink counts them.
 [[nodiscard]] std::unique_ptr<PageSink> plot_order(base::Memory& memory, PageSink& next, const PageSettings& settings,
                                                    PageCounts& counts, PenTrack* track, const base::Progress& progress);
 
-// The writer for settings.format: SVG 1.1 with Inkscape's layers, PDF 1.5 whose groups are optional content, HPGL for
-// HP's 7400 series of plotters, or G-code [ISO 6983-1]. It keeps references to all its arguments.
+// Makes the writer for settings.format: SVG 1.1 with Inkscape's layers, PDF 1.5 whose groups are optional content, HPGL
+// for HP's 7400 series of plotters, or G-code [ISO 6983-1]. It keeps references to all its arguments.
 [[nodiscard]] std::unique_ptr<PageSink> make_writer(base::Memory& memory, io::Writer& writer, const PageInfo& page,
                                                     const PageSettings& settings, PageCounts& counts);
 
 // ---- Cancellation
 
-// Checks for cancellation: calls the caller's callback without reporting more progress.
+// Checks for cancellation. It calls the caller's callback but reports no more progress.
 inline void check_cancel(const base::Progress& progress) { progress.update(0.0); }
 
-// Checks for cancellation each time that `steps` steps were counted.
+// Checks for cancellation once every `steps` steps.
 class CancelChecks {
 public:
     CancelChecks(const base::Progress& progress, std::int64_t steps) noexcept : progress_(progress), steps_(steps) {
@@ -242,31 +242,34 @@ struct Placement {
     std::string_view name;
     double x = 0.0, y = 0.0;    // the position of the viewport's top-left corner on the page, mm
     double scale = 25.4 / 96.0; // mm per pixel
-    bool with_paper = true;     // if true, the view has the drawing's paper; else the page has it
-    bool far_to_near = true;    // keep this order where inks of several colours overlap; else each colour is one group
+    // Whether the view's frame is filled with the drawing's paper; if not, the whole page is.
+    bool with_paper = true;
+    // Whether this order is kept where inks of different colours overlap; if not, each colour is one group.
+    bool far_to_near = true;
 };
 
 // A pen for the groups whose names match.
 struct Pen {
-    std::string_view groups; // a name, a prefix before a '*', or empty: all groups
-    double width = 0.0;      // mm; 0: as drawn
-    glm::vec4 ink{0.0F};     // alpha 0: as drawn
+    std::string_view groups; // a group's name, a prefix followed by '*', or empty for all groups
+    double width = 0.0;      // in mm; 0: lines keep their width
+    glm::vec4 ink{0.0F};     // alpha 0: lines keep their ink
     std::uint32_t number = 1;
     LineType line_type{};
 };
 
 // ---- Drawings to groups
 
-// Passes a drawing's ink on group by group, strokes from far to near. A new run of groups begins where the order from
-// far to near would be lost otherwise. A stroke whose opacity changes is cut into parts of constant opacity.
+// Passes on the ink of a drawing group by group, with strokes from far to near. It begins a new run of groups where the
+// order from far to near would be violated otherwise. It cuts strokes whose opacity changes into parts of constant
+// opacity.
 void lay_out(base::Memory& memory, const Placement& placement, std::span<const Pen> pens, PageSink& sink,
              const base::Progress& progress);
 
 // A line or a text in addition to the drawings.
 struct Annotation {
     std::string_view group;
-    const char* text = nullptr;     // NULL: a line
-    std::span<const double> points; // x and y of each point, mm; for a text, the start of the baseline
+    const char* text = nullptr;     // NULL: the annotation is a line
+    std::span<const double> points; // x and y of each point in mm; a text has one point, the start of its baseline
     double width = 0.35;
     glm::vec4 ink{0.0F, 0.0F, 0.0F, 1.0F};
     LineType line_type = LineType::continuous;
@@ -279,7 +282,7 @@ struct Page {
     std::span<const Annotation> annotations;
 };
 
-// The page's size, mm, with computed values where the settings have 0.
+// Returns the page's size in mm, with computed values where the settings have 0.
 [[nodiscard]] glm::dvec2 page_size(const Page& page, const PageSettings& settings) noexcept;
 
 PageCounts write_page(const base::Work& work, const Page& page, const PageSettings& settings, io::Writer& writer);

@@ -25,10 +25,11 @@ using glm::dvec2;
 // ---- Joining
 
 struct LineEnd {
-    dvec2 place, outward; // outward: the direction out of the line
+    dvec2 place, outward; // `outward` is the direction out of the line
 };
 
-// The outward direction is measured over at least one width of the line, since nearer points are unreliable.
+// Returns the direction out of the line at an end. It is measured over at least one width of the line, because nearer
+// points are unreliable.
 dvec2 outward_of(std::span<const PagePoint> points, bool at_end, double width) noexcept {
     const std::size_t count = points.size();
     const dvec2 end = place_of(at_end ? points[count - 1] : points[0]);
@@ -41,7 +42,7 @@ dvec2 outward_of(std::span<const PagePoint> points, bool at_end, double width) n
     return length > 0.0 ? way / length : dvec2(0.0);
 }
 
-// Ends 2 i and 2 i + 1 are the begin and end of line i.
+// Returns the ends of all lines: ends 2 i and 2 i + 1 are the beginning and the end of line i.
 base::Array<LineEnd> ends_of(const PlotLines& lines, const base::Progress& progress) {
     base::Array<LineEnd> ends(lines.points.memory());
     ends.reserve(2 * lines.lines.size());
@@ -57,10 +58,10 @@ base::Array<LineEnd> ends_of(const PlotLines& lines, const base::Progress& progr
 
 struct EndPair {
     double cost;
-    std::int32_t a, b; // ends, the lower number first
+    std::int32_t a, b; // indices of the ends, in ascending order
 };
 
-// The cost of joining end a of a line to end b of another one; -1: they must not be joined.
+// Returns the cost of joining end a of one line to end b of another line; -1 if they must not be joined.
 double cost_of(const PlotLine& line, const PlotLine& other, const LineEnd& a, const LineEnd& b, double most) noexcept {
     const double distance = glm::distance(a.place, b.place);
     if (distance > most) return -1.0;
@@ -74,13 +75,13 @@ double cost_of(const PlotLine& line, const PlotLine& other, const LineEnd& a, co
     return distance / most + turn / plot_tuning.sharpest_join;
 }
 
-// Returns the pairs that may be joined, cheapest first. Sets goes_on for lines that a line of another opacity
-// continues.
+// Returns the pairs of ends that may be joined, cheapest first. Sets goes_on for lines that continue as a line of
+// another opacity.
 base::Array<EndPair> find_pairs(PlotLines& lines, double given, bool any_opacity, const base::Progress& progress) {
     const base::Array<LineEnd> ends = ends_of(lines, progress);
     base::Memory& memory = lines.points.memory();
     geometry::VecArray places(memory);
-    base::Array<std::int32_t> free(memory); // the ends of open lines
+    base::Array<std::int32_t> free(memory); // the ends that may be joined: those of open lines
     CancelChecks checks(progress, steps_per_check);
     for (std::int32_t end = 0; end < ends.size(); ++end) {
         checks.count();
@@ -96,7 +97,8 @@ base::Array<EndPair> find_pairs(PlotLines& lines, double given, bool any_opacity
         const std::int32_t a = free[tree.index(at)];
         PlotLine& line = lines.lines[a / 2];
         const double reach = given > 0.0 ? given : line.width;
-        std::array<std::int64_t, plot_tuning.most_neighbours + 1> near; // the end itself is among them
+        // One more, because the end itself is among its nearest neighbours.
+        std::array<std::int64_t, plot_tuning.most_neighbours + 1> near;
         const std::int64_t count =
             tree.nearest(tree.points()[at], plot_tuning.most_neighbours + 1, any, any, near.data(), reach);
         for (std::int64_t i = 0; i < count; ++i) {
@@ -104,7 +106,7 @@ base::Array<EndPair> find_pairs(PlotLines& lines, double given, bool any_opacity
             if (!(glm::distance(ends[a].place, ends[b].place) < reach)) break;
             if (b == a || (a / 2 == b / 2 && line.count < 3)) continue;
             const PlotLine& other = lines.lines[b / 2];
-            // A pair is found from both of its ends, or only from the end that has fewer neighbours.
+            // A pair is found from both of its ends, or only from one end if the other has many neighbours.
             const double cost =
                 cost_of(line, other, ends[a], ends[b], given > 0.0 ? given : std::min(line.width, other.width));
             if (cost < 0.0) continue;
@@ -128,14 +130,15 @@ struct EndPairing {
     std::int64_t joins = 0;
 };
 
-// Accepts each pair whose ends are still free, unless it would close a short ring.
+// Accepts each pair whose ends are both unpaired. Pairs that would close a short ring are rejected.
 EndPairing choose_pairs(const PlotLines& lines, const base::Array<EndPair>& pairs, const base::Progress& progress) {
     base::Memory& memory = lines.points.memory();
     const auto count = static_cast<std::int32_t>(lines.lines.size());
     EndPairing result{base::Array<std::int32_t>(memory, 2 * std::int64_t{count})};
     std::fill(result.partner.begin(), result.partner.end(), -1);
-    base::Array<std::int32_t> chain(memory, count); // for each line, another line of its chain, or the line itself
-    base::Array<double> length(memory, count);      // the length of each chain, mm, stored at the chain's root
+    // For each line, another line of its chain or the line itself (union-find).
+    base::Array<std::int32_t> chain(memory, count);
+    base::Array<double> length(memory, count); // the length of each chain, mm, stored at the chain's root
     CancelChecks checks(progress, steps_per_check);
     for (std::int32_t i = 0; i < count; ++i) {
         checks.count();
@@ -166,20 +169,20 @@ EndPairing choose_pairs(const PlotLines& lines, const base::Array<EndPair>& pair
 // ---- Filling: nodes
 
 struct Node {
-    dvec2 place, normal; // the place, and the unit normal to the left
-    double reach;        // how far the pen's centre may go on either side of the line
-    double at;           // position along the line
+    dvec2 place, normal; // the place on the centre line, and the unit normal to the left
+    double reach;        // how far the pen's centre may go to either side of the line
+    double at;           // the distance along the line
 };
 
 // One pass: a range along the line, on one side of it.
 struct Pass {
     std::int64_t first, count; // the points of the pass
-    double begin, end;         // positions along the line
+    double begin, end;         // distances along the line
     bool used;
 };
 
-// A pass parallel to the centre, `level` from it on one side. It exists where the line reaches farther than `least`,
-// the reach that the next track inside covers.
+// A track for passes, parallel to the centre line at the distance `level` on one side. It exists only where the line's
+// reach exceeds `least`, which the next track inside covers.
 struct Track {
     double side, level, least;
 };
@@ -205,7 +208,7 @@ Node between(const Node& a, const Node& b, double t) noexcept {
             a.at + t * (b.at - a.at)};
 }
 
-// A closed line starts where it is narrow, so that few passes cross its start.
+// Makes a closed line start where it is narrow, so that few passes cross the start.
 void begin_where_narrow(Filling& f) {
     f.nodes.back().place = f.nodes[0].place;
     const std::int64_t last = f.nodes.size() - 1;
@@ -222,7 +225,7 @@ void begin_where_narrow(Filling& f) {
     std::swap(f.nodes, f.turned);
 }
 
-// Shortens the line by half of the pen's width at its first node.
+// Shortens the line by half of the pen's width at its beginning.
 void shorten(Filling& f) {
     const double begin = f.nodes[0].at, cut = 0.5 * f.pen;
     const auto way = [&](const Node& node) { return std::abs(node.at - begin); };
@@ -235,7 +238,7 @@ void shorten(Filling& f) {
     f.nodes.resize(f.nodes.size() - (i - 1));
 }
 
-// Extends or shortens an end so that the round pen stops where the line's cap ends.
+// Extends or shortens an end of the line, so that the round pen stops where the line's cap ends.
 void add_cap(Filling& f, Cap cap, bool at_end) {
     if (at_end) std::reverse(f.nodes.begin(), f.nodes.end());
     const double reach = f.nodes[0].reach, least = 1e-3 * f.pen;
@@ -263,7 +266,7 @@ void add_cap(Filling& f, Cap cap, bool at_end) {
     if (at_end) std::reverse(f.nodes.begin(), f.nodes.end());
 }
 
-// Computes the normals. A sharp turn gets several nodes at one place.
+// Computes the normals. A sharp turn gets several nodes at the same place.
 void find_normals(Filling& f) {
     f.turned.clear();
     const std::int64_t last = f.nodes.size() - 1;
@@ -297,7 +300,7 @@ void find_nodes(Filling& f, std::span<const PagePoint> points, const PlotLine& l
             f.nodes.push_back({place_of(p), dvec2(0.0), reach, f.nodes.empty() ? 0.0 : f.nodes.back().at + way});
     }
     f.closed = line.closed && f.nodes.size() > 3;
-    if (f.nodes.size() == 1) { // a disc, if the ends are round
+    if (f.nodes.size() == 1) { // the line is a disc, if its ends are round
         Node other = f.nodes[0];
         other.place.x += plot_tuning.same_point;
         other.at += plot_tuning.same_point;
@@ -326,7 +329,7 @@ void add_pass(Filling& f, const Track& track, double begin, double end) {
         const double way = b.at - a.at;
         const auto share = [&](double place) { return way > 0.0 ? (place - a.at) / way : 0.0; };
         if (f.points.size() == pass.first) put(between(a, b, std::max(share(begin), 0.0)));
-        // The pass has a corner where the line's side crosses the level.
+        // The pass has a corner where the side of the line crosses the track's level.
         const double kink = a.reach != b.reach ? (track.level - a.reach) / (b.reach - a.reach) : -1.0;
         if (kink > 0.0 && kink < 1.0 && a.at + kink * way > begin && a.at + kink * way < end) put(between(a, b, kink));
         put(between(a, b, b.at > end ? share(end) : 1.0));
@@ -335,9 +338,9 @@ void add_pass(Filling& f, const Track& track, double begin, double end) {
     if (pass.count > 1) f.passes.push_back(pass);
 }
 
-// Adds a pass for each run of nodes that reach far enough; runs with short gaps between them are merged.
+// Adds a pass for each sequence of nodes where the line is wide enough. Passes with short gaps between them are merged.
 void add_track(Filling& f, const Track& track) {
-    double begin = 0.0, end = -1.0; // the range of the current pass along the line, mm
+    double begin = 0.0, end = -1.0; // the range of the current pass along the line, in mm
     bool open = false;
     const auto close = [&] {
         if (open && (end - begin >= plot_tuning.shortest_pass * f.pen || track.least < 0.0))
@@ -361,8 +364,8 @@ void add_track(Filling& f, const Track& track) {
     close();
 }
 
-// Adds the passes from one side to the other. The innermost two lie half a spacing on either side of the centre if this
-// is shorter in total than one pass along the centre with pairs beside it.
+// Adds the passes from one side to the other. The innermost passes are either one on the centre line, or two at half a
+// spacing on either side of it, whichever makes the total shorter.
 void find_passes(Filling& f) {
     f.points.clear();
     f.passes.clear();
@@ -378,7 +381,7 @@ void find_passes(Filling& f) {
         pairs += way * (reach > least ? 2.0 + 2.0 * steps(reach - 0.5 * spacing) : 1.0);
     }
     const bool in_pairs = pairs < single;
-    const double first = in_pairs ? 0.5 * spacing : spacing; // level of the first pair beside the centre
+    const double first = in_pairs ? 0.5 * spacing : spacing; // the level of the pair that is nearest to the centre
     const auto levels = static_cast<int>(std::max(0.0, std::ceil((most - least - first) / spacing))) + 1;
     const auto level = [&](int i) { return first + spacing * (i - 1); };
     const auto inside = [&](int i) { return (i > 1 ? level(i - 1) : 0.0) + least; };
@@ -387,7 +390,7 @@ void find_passes(Filling& f) {
     for (int i = 1; i <= levels; ++i) add_track(f, {1.0, level(i), in_pairs && i == 1 ? -1.0 : inside(i)});
 }
 
-// Returns the nearest pass that the pen can continue with without leaving the line, or -1.
+// Returns the nearest pass to which the pen can move without leaving the line; -1 if there is none.
 std::int64_t nearest_pass(const Filling& f, const dvec2& from, double at, bool& reversed) noexcept {
     double least = plot_tuning.longest_link * f.pen;
     std::int64_t found = -1;
@@ -467,7 +470,7 @@ std::int64_t join_lines(PlotLines& lines, double distance, bool any_opacity, con
         chain.end = reversed ? line.begin : line.end;
     };
     const auto leave = [&](bool ring) {
-        if (length > 0.0) chain.opacity = ink / length; // the mean, weighted by length
+        if (length > 0.0) chain.opacity = ink / length; // the mean opacity, weighted by length
         if (ring) {
             const PagePoint first = joined.points[chain.first];
             if (place_of(joined.points.back()) != place_of(first)) joined.points.push_back(first);
@@ -503,7 +506,7 @@ std::int64_t fill_lines(PlotLines& lines, double tolerance, const base::Progress
         find_nodes(f, points, line);
         double most = 0.0;
         for (const Node& node : f.nodes) most = std::max(most, node.reach);
-        // Each pass may deviate from its place by the tolerance.
+        // A pass may be off its place by the tolerance.
         f.spacing =
             std::max(std::clamp(f.pen - tolerance, plot_tuning.least_spacing * f.pen, plot_tuning.most_spacing * f.pen),
                      2.0 * most / plot_tuning.most_passes);

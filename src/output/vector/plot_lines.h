@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The lines of a group that is to be sorted, and the steps of sorting: ends that meet are joined, lines wider than
-// their pen are filled by several passes, and a tour visits all lines.
+// their pen are filled by several passes, and all lines are ordered in a tour.
 #pragma once
 
 #include "output/vector/page.h"
@@ -13,7 +13,7 @@ struct PlotLine {
     double opacity = 1.0;
     drawing::Cap begin = drawing::Cap::round, end = drawing::Cap::round;
     bool closed = false;
-    bool goes_on = false; // a line of another opacity starts at its end
+    bool goes_on = false; // a line of another opacity continues at its end
 };
 
 struct PlotLines {
@@ -30,7 +30,7 @@ struct PlotLines {
     [[nodiscard]] PagePath path_of(const PlotLine& line) const noexcept {
         return {points_of(line), line.begin, line.end, line.closed, line.opacity};
     }
-    // Adds a line through the points `its`; `line` gives the other attributes.
+    // Adds a line through the points `its`. The other attributes are copied from `line`.
     void add(PlotLine line, std::span<const PagePoint> its) {
         line.first = points.size();
         line.count = static_cast<std::int64_t>(its.size());
@@ -42,17 +42,17 @@ struct PlotLines {
     base::Array<PlotLine> lines;
 };
 
-// Joins lines at their ends and returns the number of joins. The result is ordered by the first line of each joined
-// one. An end is joined to the end that continues it best: a near one, without a turn. Lines of hatching in adjacent
-// rows point the same way, so their ends are never joined into a zigzag. distance: the greatest distance between joined
-// ends, mm; 0: the thinner line's width. any_opacity: false keeps lines of different opacities apart.
+// Joins lines at their ends, and returns the number of joins. Joined lines are ordered by their first lines. An end is
+// joined to the near end that continues it with the least turn. Lines of hatching in adjacent rows point the same way,
+// so they are never joined into a zigzag. `distance` is the greatest distance between joined ends in mm; 0 means the
+// thinner line's width. If `any_opacity` is false, lines of different opacities are not joined.
 std::int64_t join_lines(PlotLines& lines, double distance, bool any_opacity, const base::Progress& progress);
 
-// Whether the line is wide enough for more than one pass of the pen.
+// Returns whether the line needs more than one pass of the pen.
 [[nodiscard]] bool is_wider_than(double pen, std::span<const PagePoint> points) noexcept;
-// Replaces lines that are wider than their pen by lines of the pen's width, and returns the number of lines replaced.
-// The passes are evenly spaced along the line, and two follow its sides; each pass exists only where the line is wide
-// enough. Passes whose ends are close become one line, drawn back and forth.
+// Replaces lines that are wider than their pen by lines of the pen's width. Returns the number of replaced lines. The
+// passes are evenly spaced, and the outermost two follow the sides of the line. Each pass exists only where the line is
+// wide enough. Passes whose ends are close are joined into one line, drawn back and forth.
 std::int64_t fill_lines(PlotLines& lines, double tolerance, const base::Progress& progress);
 
 // A stop of a tour: an open line that may be drawn either way, a closed line that may start at any point, or a dot (one
@@ -63,10 +63,10 @@ struct Stop {
 };
 struct Leg {
     std::int32_t stop = 0;
-    std::int32_t start = 0; // the point at which a closed line is started
+    std::int32_t start = 0; // the index of the point at which a closed line starts
     bool reversed = false;
 };
-// Finds a short tour of the pen through all stops. It starts at `from` and may end anywhere.
+// Finds a short tour of the pen through all stops. The tour starts at `from`, and may end anywhere.
 [[nodiscard]] base::Array<Leg> find_tour(base::Memory& memory, std::span<const Stop> stops, const glm::dvec2& from,
                                          const base::Progress& progress);
 

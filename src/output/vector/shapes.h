@@ -21,7 +21,8 @@ public:
     ShapeSink& operator=(const ShapeSink&) = delete;
     virtual ~ShapeSink() = default;
     virtual void begin_fill(double opacity) = 0;
-    virtual void begin_line(double width, drawing::Cap cap, double opacity) = 0; // both ends are round or both are flat
+    // `cap` is for both ends, round or flat.
+    virtual void begin_line(double width, drawing::Cap cap, double opacity) = 0;
     virtual void move_to(const glm::dvec2& p) = 0;
     virtual void line_to(const glm::dvec2& p) = 0;
     virtual void curve_to(const geometry::Cubic& cubic) = 0;
@@ -48,7 +49,8 @@ inline int class_of(double radius, double step) noexcept {
     return static_cast<int>(std::floor(number + 0.5));
 }
 
-inline constexpr double quarter = 0.5522847498307936; // length of the Bezier handles for a quarter of a unit circle
+// The length of the Bezier handles for a quarter of the unit circle.
+inline constexpr double quarter = 0.5522847498307936;
 
 inline glm::dvec2 along(const PagePoint& a, const PagePoint& b) noexcept {
     return glm::normalize(place_of(b) - place_of(a));
@@ -60,7 +62,7 @@ inline bool turns_sharply(const PagePoint& a, const PagePoint& b, const PagePoin
     const double cosine = glm::dot(before, after);
     if (cosine < shape_tuning.sharp_cosine) return true;
     const double sine = std::abs(before.x * after.y - before.y * after.x);
-    const double reach = b.radius * sine / (1.0 + cosine); // the turn shortens the inner side by this
+    const double reach = b.radius * sine / (1.0 + cosine); // the turn shortens the inner side by this length
     const double shorter = std::min(glm::distance(place_of(a), place_of(b)), glm::distance(place_of(b), place_of(c)));
     return 2.0 * reach > (1.0 - shape_tuning.least_inner_share) * shorter;
 }
@@ -75,27 +77,29 @@ inline void add_cap(const PagePoint& p, const glm::dvec2& out, drawing::Cap cap,
     sink.curve_to({centre + r * (out - quarter * from), centre + r * (quarter * out - from), centre - r * from});
 }
 
-// Adds the points of a spiral, from the centre outward, with which a pen of this width fills a disc.
+// Adds the points of a spiral from the centre outward. A pen of this width fills the disc by drawing it.
 inline void add_spiral(const PageDot& dot, double pen_width, double tolerance, base::Array<glm::dvec2>& points) {
     constexpr double turn = 2.0 * std::numbers::pi;
     HRBFNPR_ASSERT(tolerance > 0.0);
     points.push_back({dot.x, dot.y});
     const double outer = dot.radius - 0.5 * pen_width;
     if (!(outer > 0.0)) return;
-    const double chord = std::clamp(std::sqrt(8.0 * tolerance / outer), 0.1, 0.8); // the angle of a chord
-    // The radius grows at least this much with each radian, since the pen's width may be arbitrarily small.
+    const double chord = std::clamp(std::sqrt(8.0 * tolerance / outer), 0.1, 0.8); // the angle of a chord, in radians
+    // The radius grows by at least this length per radian. The lower bound is needed because the pen's width may be
+    // arbitrarily small.
     const double pitch = std::max(plot_tuning.spiral_pitch * pen_width, outer / plot_tuning.most_turns) / turn;
     const auto add = [&](double angle, double radius) {
         points.push_back({dot.x + radius * std::cos(angle), dot.y + radius * std::sin(angle)});
     };
     double angle = 0.0;
     for (; pitch * angle < outer; angle += chord) add(angle, pitch * angle);
-    for (double rest = 0.0; rest < turn + chord; rest += chord) add(angle + rest, outer); // a last full turn at the rim
+    // One full turn at the rim at the end.
+    for (double rest = 0.0; rest < turn + chord; rest += chord) add(angle + rest, outer);
 }
 
 // ---- Lines of SVG and PDF
 
-// Turns lines and dots into shapes. It holds working memory.
+// Turns lines and dots into shapes. The object holds working memory.
 class Shapes {
 public:
     Shapes(base::Memory& memory, const ShapeSettings& settings) noexcept
@@ -116,7 +120,7 @@ public:
             sink.end_shape();
         }
     }
-    // Draws the dot as a line of zero length with round ends, or as a spiral; writers draw circles themselves.
+    // Draws the dot as a line of zero length with round ends, or as a spiral. For circles, writers do not call this.
     void shape(const PageDot& dot, const PageGroup& group, ShapeSink& sink) {
         const double pen = group.pen_width > 0.0 ? group.pen_width : 2.0 * dot.radius;
         line_.clear();
@@ -135,7 +139,7 @@ public:
     // Draws the line as a filled outline whose sides are curves within the tolerance. Where the line turns by more than
     // 30 degrees, or more sharply than its width allows, it is cut in two parts with round ends that overlap.
     void outline(const PagePath& path, ShapeSink& sink) {
-        part_.clear(); // without coincident points; the widest of these is kept
+        part_.clear(); // points that coincide are merged, and the widest is kept
         for (const PagePoint& p : path.points) {
             if (!part_.empty() && std::hypot(p.x - part_.back().x, p.y - part_.back().y) <= plot_tuning.same_point)
                 part_.back().radius = std::max(part_.back().radius, p.radius);
@@ -157,7 +161,7 @@ public:
         const auto is_cut = [&](std::int64_t i) {
             return turns_sharply(part_[i > 0 ? i - 1 : last - 1], part_[i], part_[i + 1]);
         };
-        if (closed) { // start at the first cut
+        if (closed) { // start the line at its first cut
             std::int64_t cut = 0;
             while (cut < last && !is_cut(cut)) ++cut;
             if (cut == last) {
@@ -192,7 +196,7 @@ private:
         line_.clear();
         for (const PagePoint& p : points) line_.push_back(place_of(p));
         const std::span<const geometry::Cubic> cubics = fit_.fit(line_.span(), settings_.tolerance, path.closed);
-        if (cubics.empty() && cap == drawing::Cap::flat) return; // such a line is invisible
+        if (cubics.empty() && cap == drawing::Cap::flat) return; // a point with flat ends is invisible
         sink.begin_line(width, cap, path.opacity);
         sink.move_to(path.closed && !cubics.empty() ? cubics.back().end : line_[0]);
         for (const geometry::Cubic& cubic : cubics) sink.curve_to(cubic);
@@ -200,7 +204,8 @@ private:
         if (path.closed && !cubics.empty()) sink.close();
         sink.end_shape();
     }
-    // Draws each part of the line in the width of its class. Parts meet where the width is midway between two classes.
+    // Cuts the line into parts, and draws each part in the width of its class. Parts meet where the width is midway
+    // between two classes.
     void add_classes(const PagePath& path, ShapeSink& sink) {
         const double width_step = settings_.width_step;
         PagePath part = path;
@@ -247,7 +252,8 @@ private:
             sides_.push_back({place_of(p) + across, place_of(p) - across});
         }
     }
-    // Adds the left side forwards, or the right side backwards. The sink's current point is the start of the side.
+    // Adds the left side in forward order, or the right side in reverse. The current point of the sink must be the
+    // start of the side.
     void add_side(bool left, bool closed, ShapeSink& sink) {
         line_.clear();
         const std::int64_t count = sides_.size();
@@ -277,7 +283,7 @@ private:
 
 // ---- The way of a pen
 
-// Makes the lines that a pen draws. It holds working memory; a result is valid until the next call.
+// Computes the lines that a pen draws. The object holds working memory, and a result is valid until the next call.
 class PenLines {
 public:
     explicit PenLines(base::Memory& memory) noexcept : places_(memory), line_(memory), keeps_(memory) {}
@@ -305,7 +311,7 @@ public:
         } else if (shape == DotShapes::lines || !(radius > 0.0)) {
             line_.push_back(centre);
         } else {
-            // A chord stays within the tolerance of its arc.
+            // The length of a chord is limited so that it stays within the tolerance of its arc.
             const double half = std::acos(std::clamp(1.0 - settings.tolerance / radius, 0.0, 1.0));
             const double sides = std::max(8.0, std::ceil(std::numbers::pi / half));
             const double begin = std::atan2(from.y - centre.y, from.x - centre.x);
@@ -322,7 +328,7 @@ private:
     base::Array<std::uint8_t> keeps_;
 };
 
-// Adds up the distances and the time of a pen, which starts raised at `from`.
+// Adds up the distances and the time of a pen. The pen starts raised at `from`.
 class PenTrack {
 public:
     PenTrack(PageCounts& counts, const PenSpeeds& speeds, const glm::dvec2& from) noexcept

@@ -14,7 +14,7 @@
 
 namespace hrbfnpr::output {
 
-inline constexpr double most_thousandths = 1e15; // doubles resolve thousandths up to here
+inline constexpr double most_thousandths = 1e15; // the largest number whose thousandths a double can represent
 
 // Rounds to thousandths of a millimetre, the unit of all output.
 [[nodiscard]] inline std::int64_t in_thousandths(double number) noexcept {
@@ -57,13 +57,13 @@ public:
         }
         return *this << until(digits, end);
     }
-    // Rounds to thousandths.
+    // Writes a number, rounded to thousandths.
     TextOut& operator<<(double number) { return thousandths(in_thousandths(number)); }
-    // Writes nine decimals, as a matrix needs.
+    // Writes a number with nine decimals, as a matrix needs.
     TextOut& precise(double number) {
         char digits[64];
         const double known = std::clamp(number, -most_thousandths, most_thousandths);
-#if defined(__EMSCRIPTEN__) // its std::to_chars cannot write doubles this way, and it has only one locale
+#if defined(__EMSCRIPTEN__) // Emscripten's std::to_chars cannot write doubles this way, but it has only one locale
         return *this << std::string_view(digits,
                                          static_cast<std::size_t>(std::snprintf(digits, sizeof digits, "%.9f", known)));
 #else
@@ -71,12 +71,13 @@ public:
                               std::to_chars(digits, digits + sizeof digits, known, std::chars_format::fixed, 9).ptr);
 #endif
     }
-    // Writes the five characters that XML reserves as entities, and controls as spaces.
+    // Writes the five characters that XML reserves as entities, and control characters as spaces.
     TextOut& escaped(std::string_view text) {
         for (std::size_t i = 0; i < text.size(); ++i) {
             const char c = text[i];
             const std::string_view three = text.substr(i, 3);
-            if (three == "\xEF\xBF\xBE" || three == "\xEF\xBF\xBF") { // U+FFFE and U+FFFF, which XML does not allow
+            // U+FFFE and U+FFFF are not allowed in XML.
+            if (three == "\xEF\xBF\xBE" || three == "\xEF\xBF\xBF") {
                 *this << "\xEF\xBF\xBD";
                 i += 2;
                 continue;

@@ -21,7 +21,8 @@ namespace {
 
 using glm::dvec2;
 
-// `order_` and `position_` are inverse permutations. Only set_entry() changes them, and kick() when it undoes a change.
+// `order_` and `position_` are inverse permutations. They are changed only by set_entry(), and by kick() when it undoes
+// a change.
 class Tour {
 public:
     Tour(base::Memory& memory, std::span<const Stop> stops, const dvec2& from, const base::Progress& progress)
@@ -48,8 +49,8 @@ public:
     }
 
 private:
-    // Nodes 2 i and 2 i + 1 are the ends of stop i; for a closed line both are its starting point. The pen is a stop,
-    // too: its first end is free, and its second end is the pen's position.
+    // An end of a stop. Nodes 2 i and 2 i + 1 are the ends of stop i; for a closed line both are its starting point.
+    // The pen is a stop, too: its first end is free, and its second end is the pen's position.
     using Node = std::int32_t;
 
     [[nodiscard]] const Stop& stop(std::int32_t number) const noexcept {
@@ -107,8 +108,9 @@ private:
         }
         first_entry_point.push_back(entry_points.size());
         const geometry::PointTree tree(places, progress_);
-        base::Array<std::int64_t> left(memory, tree.nodes()); // for each tree node, the entry points of unvisited stops
-        base::Array<std::int64_t> at_of(memory, tree.size()); // the index of each entry point in the tree
+        // For each node of the tree, the number of entry points of unvisited stops.
+        base::Array<std::int64_t> left(memory, tree.nodes());
+        base::Array<std::int64_t> at_of(memory, tree.size()); // the index in the tree of each entry point
         base::Array<std::uint8_t> visited(memory, pen_);
         for (std::int64_t at = 0; at < tree.size(); ++at) {
             if (at % steps_per_check == 0) check_cancel(progress_);
@@ -139,7 +141,7 @@ private:
         }
     }
 
-    // If both ends of a stop coincide, only its first end is a neighbour of other nodes.
+    // If both ends of a stop are at the same place, only the first is listed as a neighbour of other nodes.
     void find_neighbours() {
         base::Array<Node> node_of(place_.memory());
         geometry::VecArray places(place_.memory());
@@ -182,7 +184,7 @@ private:
         run_moves();
     }
 
-    // Makes moves until none shortens the tour, or the work is used up.
+    // Makes moves until no move shortens the tour, or the allowed work is used up.
     void run_moves() {
         constexpr std::int64_t work_per_check = 100000;
         while (queue_size_ > 0) {
@@ -199,8 +201,8 @@ private:
         }
     }
 
-    // Repeatedly swaps two adjacent parts at a random position (a double bridge, which no single move undoes), and
-    // settles the tour again. A change is undone unless the tour became shorter.
+    // Repeatedly swaps two adjacent segments of the tour at a random position and improves the tour again. This double
+    // bridge cannot be undone by a single move. A change that does not shorten the tour is undone.
     void kick() {
         const std::int64_t most = std::min<std::int64_t>(plot_tuning.longest_swapped, (count_ - 1) / 2);
         if (most < 1) return;
@@ -209,14 +211,14 @@ private:
         longest_ = plot_tuning.longest_kicked;
         keeps_log_ = true;
         for (std::uint64_t number = 0; work_ > 0; ++number) {
-            const auto one_of = [&](std::uint64_t which, std::int64_t count) { // splitmix64
+            const auto one_of = [&](std::uint64_t which, std::int64_t count) { // random numbers by splitmix64
                 return static_cast<std::int64_t>(geometry::hash_bits((3 * number + which) * 0x9E3779B97F4A7C15U) %
                                                  static_cast<std::uint64_t>(count));
             };
             gained_ = -swap_segments(one_of(1, count_), 1 + one_of(2, most), 1 + one_of(3, most));
             run_moves();
             if (gained_ < plot_tuning.least_gain)
-                for (std::int64_t i = log_.size(); i > 0; --i) { // undo the change
+                for (std::int64_t i = log_.size(); i > 0; --i) { // undo the changes in reverse order
                     order_[log_[i - 1].position] = log_[i - 1].node;
                     position_[log_[i - 1].node / 2] = log_[i - 1].position;
                 }
@@ -226,7 +228,7 @@ private:
         keeps_log_ = false;
     }
 
-    // Swaps the `length` stops from `first` with the `other` stops after them; returns the increase in the tour's
+    // Swaps the segment of `length` stops from `first` with the next `other` stops. Returns the change in the tour's
     // length.
     double swap_segments(std::int64_t first, std::int64_t length, std::int64_t other) {
         HRBFNPR_ASSERT(length > 0 && other > 0 && length + other < count_);
@@ -245,7 +247,8 @@ private:
                distance(ends[0], ends[1]) - distance(ends[2], ends[3]) - distance(ends[4], ends[5]);
     }
 
-    // Makes the first move that links the node to one of its neighbours and shortens the tour.
+    // Looks for a move that links the node to one of its neighbours and shortens the tour, and makes the first one
+    // found.
     bool improve_at(Node node) {
         if (node == free_end()) return false;
         const double link = distance(node, linked(node));
@@ -265,7 +268,7 @@ private:
         return false;
     }
 
-    // 2-opt: reverses the part between two nodes, so that they become linked.
+    // 2-opt: reverses the stops between two nodes, which links the nodes.
     bool turn_part(Node node, Node to, double link, double nearer) {
         const Node next = linked(node), beyond = linked(to);
         const double gain = link + distance(to, beyond) - nearer - distance(next, beyond);
@@ -281,7 +284,8 @@ private:
         return true;
     }
 
-    // Or-opt: moves up to three stops that end with `node` between `to` and the node linked to it.
+    // Or-opt: moves up to three stops, the last of which has the end `node`. They are inserted between `to` and the
+    // node linked to `to`.
     bool move_segment(Node node, Node to, double nearer) {
         const bool at_exit = is_exit(node);
         const std::int64_t p = position_[node / 2];
@@ -306,7 +310,8 @@ private:
         return false;
     }
 
-    // Reverses the stops from one position to another in tour order, or all other stops, which gives the same tour.
+    // Reverses the stops from one position to another, or else all other stops, whichever are fewer. Both give the same
+    // tour.
     void reverse(std::int64_t first, std::int64_t last) {
         first = at(first);
         last = at(last);
@@ -327,7 +332,8 @@ private:
         }
     }
 
-    // Moves stops to between `gap` and the next position; the stops in between shift over the shorter side.
+    // Moves stops into the gap after the position `gap`. The stops in between are shifted, on the side where they are
+    // fewer.
     void shift(std::int64_t first, std::int32_t length, std::int64_t gap, bool reversed) {
         HRBFNPR_ASSERT(length <= plot_tuning.longest_moved);
         Node moved[plot_tuning.longest_moved];
@@ -374,7 +380,7 @@ private:
         return turned;
     }
 
-    // The legs in order from the pen. The tour may be stored in either direction.
+    // Returns the legs in order from the pen. The tour may be stored in either direction.
     [[nodiscard]] base::Array<Leg> legs() const {
         base::Array<Leg> result(place_.memory());
         const std::int64_t pen = position_[pen_];
@@ -394,23 +400,24 @@ private:
     };
     std::span<const Stop> stops_;
     const base::Progress& progress_;
-    // The pen's number, which follows the numbers of the stops, and the number of stops including the pen.
+    // The index of the pen, which follows the indices of the stops; and the number of stops including the pen.
     std::int32_t pen_, count_;
-    std::int64_t work_ = 0, checked_ = 0; // the work left for moves, and its value at the last check for cancellation
-    std::int64_t longest_ = 0;            // the largest number of stops that a move may reverse or pass
-    double gained_ = 0.0;                 // the length that the last moves saved, mm
+    // The work that moves may still use, and its value at the last check for cancellation.
+    std::int64_t work_ = 0, checked_ = 0;
+    std::int64_t longest_ = 0; // the largest number of stops that a move may reverse or pass
+    double gained_ = 0.0;      // the length saved by the last moves, in mm
     bool keeps_log_ = false;
-    base::Array<dvec2> place_;           // the place of each node, mm
+    base::Array<dvec2> place_;           // the place of each node, in mm
     base::Array<std::int32_t> start_;    // the starting point of each closed stop
     base::Array<Node> order_;            // the tour: the node at which each stop is entered
     base::Array<std::int32_t> position_; // the index of each stop in `order_`
     base::Array<Node>
         neighbours_; // for each node the `most_neighbours` nearest nodes of other stops, nearest first; -1: no more
-    base::Array<std::int32_t> queue_; // stops whose ends are to be examined; a ring buffer
+    base::Array<std::int32_t> queue_; // a ring buffer of the stops whose ends are still to be examined
     std::int64_t queue_first_ = 0, queue_size_ = 0;
     base::Array<std::uint8_t> is_queued_; // whether a stop is in the queue
     base::Array<Entry> log_;              // overwritten entries of `order_`
-    base::Array<Node> swapped_;           // copy of the first of the two swapped parts
+    base::Array<Node> swapped_;           // a copy of the first of the two swapped segments
 };
 
 } // namespace

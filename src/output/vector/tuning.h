@@ -9,15 +9,15 @@
 namespace hrbfnpr::output {
 
 struct LayOutTuning {
-    // A stroke is cut where its opacity differs by more than this from the opacity of the part's first point. Larger:
-    // fewer parts, visible steps.
+    // A stroke is cut where its opacity differs by more than this from the opacity at the start of the current part.
+    // Larger: fewer parts, visible steps.
     float opacity_step = 1.0F / 32.0F;
     // The least side of the cells that detect overlapping inks, in pixels. Larger: more runs.
     double least_cell = 4.0;
-    // The cells are enlarged if the page would have more than this, counted for each colour. Larger: more memory.
+    // The cells are enlarged if the page would have more than this number of cells times colours. Larger: more memory.
     double most_cells = 4e6;
-    // The greatest number of runs; in the last run, later inks are drawn whatever they overlap. Larger: more groups in
-    // the file.
+    // The greatest number of runs. In the last run, inks are drawn regardless of what they overlap. Larger: more groups
+    // in the file.
     std::int32_t most_runs = 32;
 };
 inline constexpr LayOutTuning lay_out_tuning;
@@ -27,44 +27,46 @@ struct PlotTuning {
 
     // Points closer than this count as one, mm.
     double same_point = 1e-6;
-    // The greatest angle between two joined lines, and between a line and the link to the next one, radians. Larger:
+    // The greatest angle in radians between two joined lines, and between a line and its link to the next line. Larger:
     // more joins, with corners.
     double sharpest_join = 1.04719755;
     // The number of nearest other ends that an end is compared with, for joins and for moves of a tour. Larger: more
     // time.
     std::int32_t most_neighbours = 8;
-    // Chains shorter than this are not closed to rings, in widths of the line.
+    // Chains shorter than this, in line widths, are not closed to rings.
     double shortest_ring = 4.0;
     // A link longer than this share of the thinner line's width must run in about the direction of both lines.
     double longest_free_link = 0.5;
 
     // ---- Lines and dots that are too fine for the pen
 
-    // Shorter lines are dropped, and so are dots closer than this to an earlier dot; in widths of the line.
+    // Lines shorter than this are dropped, and so are dots that are closer than this to an earlier dot. In line widths.
     double shortest_line = 0.5;
 
     // ---- Filling lines that are wider than their pen: all lengths are in widths of the pen
 
-    // Passes are this far apart, but closer where the tolerance requires it. Larger: fewer passes, with gaps.
+    // The distance between passes, in pen widths. It is smaller where the tolerance requires it. Larger: fewer passes,
+    // with gaps.
     double most_spacing = 0.8;
     double least_spacing = 0.4;
-    // No pass is added for a strip narrower than this on each side of the line. Larger: fewer passes, narrower lines.
+    // A strip on each side of the line that is narrower than this, in pen widths, gets no pass. Larger: fewer passes,
+    // narrower lines.
     double unfilled_strip = 0.1;
-    // Shorter passes are dropped. Larger: fewer passes.
+    // Passes shorter than this, in pen widths, are dropped. Larger: fewer passes.
     double shortest_pass = 0.5;
-    // A pass continues across gaps up to this long. Larger: fewer passes.
+    // A pass continues across gaps up to this long, in pen widths. Larger: fewer passes.
     double longest_gap = 2.0;
     // The pen stays down between two passes if their ends are at most `longest_link` apart, and at most `longest_step`
-    // along the line. Larger: fewer lifts.
+    // along the line. Both are in pen widths. Larger: fewer lifts.
     double longest_link = 12.0;
     double longest_step = 3.0;
-    // The greatest number of passes of a line.
+    // The greatest number of passes for a line.
     double most_passes = 10000.0;
-    // Turns up to this angle have one normal, radians. Smaller: rounder outer sides.
+    // A turn up to this angle, in radians, gets a single normal. Smaller: rounder outer sides.
     double widest_turn = 20.0 / 180.0 * std::numbers::pi;
     // A round end has this many steps. Larger: rounder ends.
     int parts_of_cap = 6;
-    // The distance between turns of a dot's spiral. Larger: fewer turns, with gaps.
+    // The distance between turns of a dot's spiral, in pen widths. Larger: fewer turns, with gaps.
     double spiral_pitch = 0.9;
     // The greatest number of turns of a spiral.
     double most_turns = 1000.0;
@@ -75,8 +77,8 @@ struct PlotTuning {
     static constexpr std::int32_t longest_moved = 3;
     // A closed line may be entered at this many points in the first tour; the best point is found later.
     std::int64_t most_entry_points = 32;
-    // The number of steps for each stop that moves may take; the second is for moves after kicks. Larger: shorter
-    // tours, more time.
+    // The number of steps per stop that moves may take: before kicks, and after kicks. Larger: shorter tours, more
+    // time.
     std::int64_t work_of_stop = 8000;
     std::int64_t work_of_kicks = 2000;
     // With few stops, moves after kicks may take `work_of_few` steps for each stop, up to `least_work` in total.
@@ -84,30 +86,31 @@ struct PlotTuning {
     std::int64_t least_work = 200000;
     // A kick swaps two parts of at most this many stops each.
     std::int64_t longest_swapped = 30;
-    // The greatest number of stops that a move may reverse or pass; the second is for moves after kicks. Larger:
-    // shorter tours of many stops, more time.
+    // The greatest number of stops that a move may reverse or pass: before kicks, and after kicks. Larger: shorter
+    // tours of many stops, more time.
     std::int64_t longest_reversed = 50000;
     std::int64_t longest_kicked = 1000;
     // The tour's moves and the search for better starts of closed lines alternate at most this many times.
     int most_rounds = 4;
-    // The least gain of a move, mm. It is above rounding errors.
+    // A move must shorten the tour by at least this, in mm. It is above rounding errors.
     double least_gain = 1e-9;
 };
 inline constexpr PlotTuning plot_tuning;
 
 struct ShapeTuning {
-    // A line has constant width if its widths differ by at most this share of the greatest. Larger: fewer outlines.
+    // A line has constant width if its widths differ by at most this share of the largest width. Larger: fewer
+    // outlines.
     double even_width = 0.02;
-    // Smaller radii count as this when widths are put into classes, mm.
+    // Radii below this, in mm, count as this when lines are sorted into classes of width.
     double least_radius = 0.005;
     // Outlines are cut at turns above the angle with this cosine, 30 degrees. Larger: more cuts.
     double sharp_cosine = 0.866;
-    // They are also cut where a turn leaves less than this share of a segment at its inner side.
+    // Outlines are also cut at a turn if its inner side would keep less than this share of a segment.
     double least_inner_share = 0.1;
 };
 inline constexpr ShapeTuning shape_tuning;
 
-// The number of steps between two checks for cancellation: of points, lines or dots, and of comparisons of a sort.
+// The number of steps between two checks for cancellation. A step is a point, line or dot, or a comparison of a sort.
 inline constexpr std::int64_t steps_per_check = 512;
 inline constexpr std::int64_t comparisons_per_check = 65536;
 

@@ -29,12 +29,13 @@ using drawing::StrokePoint;
 
 // ---- Groups of ink: the dots of a layer, or the strokes of a layer that are behind a given number of surfaces
 
-constexpr std::int32_t most_hidden = 31; // strokes behind more surfaces count as behind this many
+// Strokes behind more surfaces than this are grouped with those behind this many.
+constexpr std::int32_t most_hidden = 31;
 constexpr std::int32_t groups_of_layer = most_hidden + 2;
 
 std::int32_t hidden_layers(const Stroke& stroke) noexcept { return std::clamp(stroke.hidden_layers, 0, most_hidden); }
 std::int32_t group_of_dots(std::int64_t layer) noexcept { return static_cast<std::int32_t>(layer) * groups_of_layer; }
-// Strokes behind more surfaces come first.
+// Returns the index of a group of strokes. Groups behind more surfaces come first.
 std::int32_t group_of_strokes(std::int64_t layer, std::int32_t hidden) noexcept {
     HRBFNPR_ASSERT(hidden >= 0 && hidden <= most_hidden);
     return group_of_dots(layer) + 1 + most_hidden - hidden;
@@ -53,8 +54,8 @@ void for_dots(const Drawing& drawing, const base::Progress& progress, const F& f
 
 // ---- Runs
 
-// All groups are painted in their order, run after run. An ink belongs to the first run in which it follows all ink of
-// other colours below it. In the last run this order may be violated.
+// The assignment of ink to runs. All groups of a run are painted in order, then those of the next run. An ink belongs
+// to the first run in which it follows all ink of other colours below it. In the last run this order may be violated.
 struct Runs {
     explicit Runs(base::Memory& memory) noexcept
         : of_stroke(memory), of_dot(memory), has_group(memory), has_layer(memory) {}
@@ -75,8 +76,9 @@ struct Cells {
     double left, top, side;
     std::int64_t columns, rows;
     std::int32_t colors;
-    base::Array<std::int32_t> color;         // the colour number of each layer
-    base::Array<std::int32_t> painted_where; // run * groups + group of the last ink of each cell and colour; -1: none
+    base::Array<std::int32_t> color; // the colour number of each layer
+    // For each cell and colour, run * groups + group of the last ink; -1: no ink.
+    base::Array<std::int32_t> painted_where;
 
     // Calls visit(cell) for the cells in the viewport that a disc may touch.
     template <class Visit>
@@ -99,7 +101,7 @@ struct Cells {
             const double dx = static_cast<double>(points[i].x) - x, dy = static_cast<double>(points[i].y) - y;
             const auto radius = static_cast<double>(std::max(points[i - 1].radius, points[i].radius));
             const double length = std::hypot(dx, dy);
-            if (!(length < 1e6)) continue; // far beyond any viewport
+            if (!(length < 1e6)) continue; // the stroke is far beyond any viewport
             const auto steps = static_cast<int>(length / side) + 1;
             for (int step = 0; step <= steps; ++step)
                 for_disc(x + dx * step / steps, y + dy * step / steps, radius, visit);
@@ -125,7 +127,7 @@ Cells blank_cells(base::Memory& memory, const Drawing& drawing) {
     return cells;
 }
 
-// Paints an ink into the cells that for_cells(visit) visits, and returns the ink's run.
+// Paints an ink into the cells that for_cells(visit) visits. Returns the run of the ink.
 template <class ForCells>
 std::uint8_t paint(Cells& cells, Runs& runs, std::uint32_t layer, std::int32_t group, const ForCells& for_cells) {
     const std::int32_t color = cells.color[layer];
@@ -145,7 +147,7 @@ std::uint8_t paint(Cells& cells, Runs& runs, std::uint32_t layer, std::int32_t g
     return static_cast<std::uint8_t>(run);
 }
 
-// Paints all ink from far to near.
+// Assigns all ink to runs, from far to near.
 void paint_all(base::Memory& memory, const Drawing& drawing, const base::Progress& progress, Runs& runs) {
     Cells cells = blank_cells(memory, drawing);
     base::Array<std::uint32_t> order(memory); // the numbers of the dots, far to near
@@ -234,7 +236,7 @@ Frame frame_of(const Placement& placement) noexcept {
             placement.y + placement.scale * viewport.w};
 }
 
-// Applies the pen to a group: the last pen whose pattern matches the group's name.
+// Returns the group with the last pen whose pattern matches the group's name.
 PageGroup with_pen(PageGroup group, std::span<const Pen> pens) noexcept {
     for (std::size_t i = pens.size(); i-- > 0;) {
         const Pen& pen = pens[i];
@@ -284,8 +286,9 @@ struct Mapping {
     }
 };
 
-// The disc has the same ink as the raster's dot, whose rim falls off over a pixel: that dot covers pi (r^2 + 1 / 12)
-// pixels, and the tone depends on this area. A radius below half a pixel is drawn as half a pixel, but paler.
+// Returns a disc with as much ink as the raster's dot. The rim of that dot falls off over one pixel, so it covers pi
+// (r^2 + 1 / 12) square pixels, which determines the tone. A radius below half a pixel is drawn as half a pixel, but
+// paler.
 PageDot page_dot(const Mapping& map, const Dot& dot) noexcept {
     constexpr double smallest = static_cast<double>(drawing::smallest_radius);
     const double radius = std::max(static_cast<double>(dot.radius), smallest);
@@ -324,7 +327,7 @@ void add_stroke(const Mapping& map, const Stroke& stroke, base::Array<PagePoint>
 
 // ---- Line types
 
-// Alternating dashes and gaps, in line widths; the first 0 ends the pattern.
+// Alternating lengths of dashes and gaps, in line widths. The first 0 ends the pattern.
 using Pattern = std::array<double, 10>;
 constexpr double dot_part = 0.5, gap = 3.0, space = 18.0, short_dash = 6.0, dash = 12.0, long_dash = 24.0;
 constexpr std::array<Pattern, 16> patterns{{
@@ -346,7 +349,8 @@ constexpr std::array<Pattern, 16> patterns{{
     {dash, gap, dash, gap, dot_part, gap, dot_part, gap, dot_part, gap},
 }};
 static_assert(patterns.size() == static_cast<std::size_t>(LineType::last) + 1);
-// A line with more periods is drawn solid: the dashes would be invisible, and writing them would never end.
+// A line with more periods than this is drawn solid, because the dashes would be invisible and would take too long to
+// write.
 constexpr double most_periods = 1e5;
 
 class DashFilter final : public PageFilter {
@@ -413,12 +417,12 @@ private:
     base::Array<PagePoint> part_;
 };
 
-// Narrows the range from..to of a segment, at first 0 to 1, to the part within the frame. Returns false if the segment
-// is outside or not finite. [Liang and Barsky 1984, "A new concept and method for line clipping"]
+// Narrows the range from..to of a segment, which is 0 to 1 at first, to the part within the frame. Returns false if the
+// segment is outside the frame or not finite. [Liang and Barsky 1984, "A new concept and method for line clipping"]
 bool find_within(const PagePoint& a, const PagePoint& b, const Frame& frame, double& from, double& to) noexcept {
     if (!std::isfinite(a.x + a.y + b.x + b.y)) return false;
     const double dx = b.x - a.x, dy = b.y - a.y;
-    // For each side of the frame: how fast the segment moves towards it, and the distance from the start to the side.
+    // For each side of the frame, the speed of the segment towards it, and the distance from the segment's start to it.
     const std::array<double, 4> speed{-dx, dx, -dy, dy};
     const std::array<double, 4> room{a.x - frame.left, frame.right - a.x, a.y - frame.top, frame.bottom - a.y};
     for (std::size_t side = 0; side < 4; ++side) {
@@ -472,7 +476,8 @@ public:
         }
         if (settings_.shapes.fills && group_.pen_width > 0.0) {
             counts_.filled_paths += fill_lines(lines_, settings_.shapes.tolerance, progress_);
-            PlotLines within(memory_); // passes may leave the frame where the centre does not
+            // Clip passes again, because they may leave the frame where the centre line does not.
+            PlotLines within(memory_);
             for (const PlotLine& line : lines_.lines) clip(lines_.path_of(line), line, within);
             std::swap(lines_, within);
         }
@@ -486,8 +491,8 @@ public:
     }
 
 private:
-    // Adds each part of the path whose centre line is within the frame, in order, to the lines. Cut ends are flat. A
-    // closed path becomes open if any part of it is cut off.
+    // Clips the path's centre line to the frame, and adds the parts to `out` in order. Cut ends are flat. A closed path
+    // becomes open if any part of it is cut off.
     void clip(const PagePath& path, const PlotLine& like, PlotLines& out) {
         checks_.count();
         const auto take = [&](const PagePath& part) {
@@ -506,7 +511,7 @@ private:
             return;
         }
         std::span<const PagePoint> points = path.points;
-        if (path.closed) { // start outside the frame
+        if (path.closed) { // rotate the path, so that it starts outside the frame
             const std::span<const PagePoint> once = points.first(points.size() - 1);
             const auto first = std::find_if_not(once.begin(), once.end(), inside) - once.begin();
             ring_.clear();
@@ -558,7 +563,7 @@ private:
         counts_.dropped_paths += lines_.lines.size() - kept;
         lines_.lines.resize(kept);
     }
-    // Goes through the dots in order; each removes the later ones that are too near.
+    // Goes through the dots in order. Each dot removes later dots that are too near.
     void drop_near_dots() {
         geometry::VecArray places(memory_);
         for (const PageDot& dot : dots_) places.push_back({dot.x, dot.y, 0.0});
@@ -583,7 +588,7 @@ private:
         check_cancel(progress_);
         base::Array<PagePoint> places(memory_);
         for (const PageDot& dot : dots_) places.push_back({dot.x, dot.y, dot.radius});
-        base::Array<Stop> stops(memory_); // lines, then dots
+        base::Array<Stop> stops(memory_); // a stop for each line, then one for each dot
         for (const PlotLine& line : lines_.lines) stops.push_back({lines_.points_of(line), line.closed});
         for (std::int64_t i = 0; i < places.size(); ++i)
             stops.push_back({places.span().subspan(static_cast<std::size_t>(i), 1), false});
@@ -622,11 +627,12 @@ private:
     PenTrack* track_;
     const base::Progress& progress_;
     CancelChecks checks_;
-    Frame frame_; // the drawable part of the page, mm; within a view also clipped to the view's frame
+    Frame frame_; // the drawable part of the page in mm; within a view, clipped to the view's frame
     PageGroup group_;
     PlotLines lines_;
     base::Array<PageDot> dots_;
-    base::Array<PagePoint> ring_, part_; // a closed path rotated to start outside the frame; a part within the frame
+    // A closed path rotated to start outside the frame, and the part of a path within the frame.
+    base::Array<PagePoint> ring_, part_;
     PenLines pen_lines_;
     base::Array<PagePoint> turned_;
     glm::dvec2 pen_; // the pen's position, mm
@@ -634,7 +640,7 @@ private:
 
 // ---- Annotations
 
-// Consecutive annotations of the same group form one group on the page.
+// Writes the annotations. Consecutive annotations of the same group form one group on the page.
 void add_annotations(base::Memory& memory, const Page& page, PageSink& sink, const base::Progress& progress) {
     base::Array<PagePoint> points(memory);
     const Annotation* open = nullptr;
@@ -739,7 +745,7 @@ PageCounts write_page(const base::Work& work, const Page& page, const PageSettin
     const std::unique_ptr<PageSink> file = make_writer(memory, writer, info, settings, counts);
     PenTrack track(counts, settings.plot.speeds, {0.0, size.y});
     std::unique_ptr<PageSink> sorted;
-    // Plotter writers track the pen themselves, in their own rounded units.
+    // Writers for plotters track the pen themselves, in their own rounded units.
     if (settings.in_plot_order || settings.for_plotter())
         sorted = plot_order(memory, *file, settings, counts, settings.for_plotter() ? nullptr : &track, work);
     DashFilter dashed(memory, sorted ? *sorted : *file);
@@ -747,13 +753,13 @@ PageCounts write_page(const base::Work& work, const Page& page, const PageSettin
     double done = 0.0;
     const bool filled = !settings.without_paper;
     const glm::vec4 paper = page.placements.empty() ? glm::vec4(1.0F) : page.placements[0].drawing->paper;
-    if (filled) { // the page has the paper of its first drawing, or white
+    if (filled) { // the page gets the paper of its first drawing, or white
         dashed.begin_view({{}, {0.0, 0.0, size.x, size.y}, paper, true});
         dashed.end_view();
     }
     for (Placement placement : page.placements) {
         placement.with_paper = filled && placement.drawing->paper != paper;
-        placement.far_to_near = !sorted; // so that each pen is used once
+        placement.far_to_near = !sorted; // if sorted, each pen is used only once
         lay_out(memory, placement, page.pens, dashed, work.part(done / parts, (done + 1.0) / parts));
         done += 1.0;
         work.update(done / parts);

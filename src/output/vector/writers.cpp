@@ -34,18 +34,18 @@ protected:
     PageCounts& counts_;
     Shapes shapes_;
     PageGroup group_;
-    glm::vec4 paper_{0.0F}; // the view's paper
+    glm::vec4 paper_{0.0F}; // the colour of the view's paper
 };
 
 // ---- SVG
 
-// Positions in a file are whole thousandths. A curve is written as a straight line if its handles are no farther than
-// `straight` from its chord, and an opacity of at least `opaque` is omitted. Neither changes the picture.
+// Positions in a file are whole thousandths of a millimetre. A curve is written as a straight line if its handles are
+// within `straight` thousandths of its chord. An opacity of at least `opaque` is omitted. Neither changes the picture.
 constexpr double straight = 1.5;
 constexpr double opaque = 0.9995;
 
 struct Place {
-    std::int64_t x, y; // thousandths
+    std::int64_t x, y; // in thousandths of a millimetre
 };
 Place in_file(const dvec2& p) noexcept { return {in_thousandths(p.x), in_thousandths(p.y)}; }
 
@@ -168,8 +168,8 @@ private:
     }
     void end_shape() override { out_ << "\"/>\n"; }
 
-    // Writes places relative to the current point, and moves the current point to the last of them. A repeated command
-    // letter is omitted.
+    // Writes places relative to the current point, and makes the last place the current point. A command letter is
+    // omitted if it equals the previous one.
     void command(char letter, std::span<const Place> places) {
         char before = letter == letter_ ? ' ' : letter;
         for (const Place& p : places) {
@@ -185,7 +185,7 @@ private:
         out_ << "<rect x=\"" << frame.left << "\" y=\"" << frame.top << "\" width=\"" << frame.right - frame.left
              << "\" height=\"" << frame.bottom - frame.top << '"';
     }
-    // An id consists of letters, digits and '-'.
+    // An id may contain letters, digits and '-'.
     void begin_layer(std::string_view name) {
         out_ << "<g id=\"";
         if (views_ > 0) out_ << "view-" << views_ << '-';
@@ -210,13 +210,13 @@ private:
 
     std::int64_t views_ = 0, groups_ = 0;
     Place at_{0, 0};    // the current point
-    char letter_ = ' '; // the last command letter
+    char letter_ = ' '; // the previous command letter
 };
 
 // ---- PDF
 
 constexpr double points_of_mm = 72.0 / 25.4;
-// The numbers of the PDF objects. The objects of groups have the numbers after these.
+// The numbers of the first PDF objects. Groups have the numbers after these.
 enum Object : std::int64_t { content = 1, content_length, catalog, pages, page, information, first_of_groups };
 
 // Decodes the UTF-8 character at text[at] and advances `at` to the next one.
@@ -279,7 +279,7 @@ public:
         line_to({dot.x, dot.y});
         end_shape();
     }
-    // All PDF viewers have Helvetica with Latin letters; other characters become '?'.
+    // Every PDF viewer has Helvetica with Latin letters. Other characters become '?'.
     void text(const PageText& text) override {
         set_ink(group_.ink);
         set_opacity(static_cast<double>(group_.ink.w));
@@ -410,7 +410,7 @@ private:
         return offsets_.size();
     }
     void end_object() { out_ << "\nendobj\n"; }
-    // Titles and names are written in UTF-16.
+    // Writes a string in UTF-16, as titles and names need.
     void string(std::string_view text) {
         constexpr std::string_view digits = "0123456789ABCDEF";
         const auto unit = [&](std::uint32_t code) {
@@ -464,28 +464,28 @@ private:
     };
 
     PageInfo page_;
-    glm::vec4 ink_{-1.0F}; // the current ink in the file
+    glm::vec4 ink_{-1.0F}; // the ink that was set last in the file
     double width_ = -1.0;
     int cap_ = -1, alpha_ = -1;
     bool fills_ = false;
-    std::bitset<256> alphas_; // the alphas in use
+    std::bitset<256> alphas_; // the alphas that the file uses
     base::Array<Name> groups_;
     base::Array<std::int64_t> offsets_; // the byte offset of each object in the file, from object 1 on
-    std::int64_t content_ = 0;          // the offset of the stream
+    std::int64_t content_ = 0;          // the byte offset of the content stream
 };
 
 // ---- HPGL and G-code
 
-// Both languages use a grid of whole units with y up from the page's lower left corner, and a pen. The pen is raised,
+// HPGL and G-code use a pen, and a grid of whole units with y up from the page's lower left corner. The pen is raised,
 // moved and lowered only when needed.
 
-constexpr double hpgl_units = 40.0; // per millimetre
+constexpr double hpgl_units = 40.0; // units per millimetre
 constexpr double gcode_units = 1000.0;
-// The most places in an HPGL instruction, because old plotters have small buffers.
+// The largest number of places in an HPGL instruction. It is small because old plotters have small buffers.
 constexpr int most_pairs = 64;
-constexpr char end_of_label = '\x03';    // the default, which DT could change
-constexpr double letter_of_height = 0.7; // width of an HPGL letter, as a share of its height
-constexpr double farthest_unit = 1e15;   // doubles resolve units up to here
+constexpr char end_of_label = '\x03';    // the default terminator, which the instruction DT could change
+constexpr double letter_of_height = 0.7; // the width of an HPGL letter, as a share of its height
+constexpr double farthest_unit = 1e15;   // the largest number of units that a double represents exactly
 
 struct Unit {
     std::int64_t x, y;
@@ -554,8 +554,9 @@ public:
         }
         raise();
         travel(unit_of({text.x, text.y}));
-        is_known_ = false; // a label moves the pen
-        out_ << "SI";      // width and height of capitals in centimetres
+        is_known_ = false; // writing a label moves the pen to an unknown place
+        // SI sets the width and height of capitals, in centimetres.
+        out_ << "SI";
         number(in_thousandths(0.1 * letter_of_height * text.height));
         out_ << ',';
         number(in_thousandths(0.1 * text.height));
@@ -601,7 +602,7 @@ private:
     void draw(std::span<const dvec2> line) {
         HRBFNPR_ASSERT(!line.empty());
         travel(unit_of(line[0]));
-        if (!is_down_) { // the G-code that lowers the pen may set its own feed rate
+        if (!is_down_) { // the feed rate is set later, because the G-code that lowers the pen may change it
             if (gcode_)
                 write_lines(down_);
             else
@@ -638,7 +639,7 @@ private:
             out_ << p.x << ',' << p.y;
         }
     }
-    // Writes thousandths with a zero before the decimal point, which old plotters need.
+    // Writes thousandths with a zero before the decimal point, because old plotters need it.
     void number(std::int64_t thousandths) {
         if (thousandths < 0) out_ << '-';
         if (thousandths != 0 && std::abs(thousandths) < 1000) out_ << '0';
@@ -662,10 +663,10 @@ private:
     bool gcode_;
     double units_;
     TextOut out_;
-    double height_; // the page's height, mm
+    double height_; // the page's height, in mm
     ShapeSettings shapes_;
-    std::string_view down_, up_; // lines of G-code
-    double feed_;                // mm per minute
+    std::string_view down_, up_; // lines of G-code that lower and raise the pen
+    double feed_;                // in mm per minute
     PageCounts& counts_;
     PenLines lines_;
     PenTrack track_;
@@ -674,7 +675,7 @@ private:
     Unit at_{0, 0};         // the pen's position
     bool is_known_ = false; // whether at_ is the pen's position
     bool is_down_ = false;
-    std::int64_t drawn_ = 0; // places since the pen was lowered
+    std::int64_t drawn_ = 0; // the number of places since the pen was lowered
 };
 
 } // namespace

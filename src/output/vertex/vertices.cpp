@@ -22,7 +22,7 @@ using drawing::StrokePoint;
 
 template <class T>
 void put(std::byte*& to, T value) noexcept {
-    std::memcpy(to, &value, sizeof value); // fields of a layout may be unaligned
+    std::memcpy(to, &value, sizeof value); // memcpy, because the fields of a layout may be unaligned
     to += sizeof value;
 }
 
@@ -52,7 +52,7 @@ constexpr AttributeType vector3{3, true, false, false}, scalar{1, true, false, f
 constexpr std::array<AttributeType, last_attribute + 1> attribute_types{
     vector3, vector3, scalar, color4, vector3, vector3, word, small, small, word, scalar, word, word, word};
 
-// All attributes of a vertex. `source` is filled only if a field needs data of its mark.
+// All attributes of a vertex. `source` is filled only if a field needs data of the vertex's mark.
 struct Vertex {
     glm::vec3 window;
     float radius, length;
@@ -61,9 +61,9 @@ struct Vertex {
     drawing::MarkClass mark_class;
     bool is_paper;
     drawing::MarkSource source;
-    bool off_mark = false; // the vertex is drawn at another place than its mark
+    bool off_mark = false; // whether the vertex is not at the place of its mark
     std::uint32_t hidden_layers = 0;
-    std::uint32_t hidden_by = index_restart; // none
+    std::uint32_t hidden_by = index_restart; // index_restart: no layer hides it
 };
 
 void put_field(std::byte* to, const VertexField& field, const Vertex& vertex) noexcept {
@@ -105,7 +105,7 @@ public:
         store(number, vertex);
     }
 
-    // side: offset of the vertex from the stroke's centre line.
+    // Writes a vertex. `side` is its offset from the stroke's centre line.
     void point(std::int64_t number, const Stroke& stroke, const StrokePoint& p, const glm::vec2& side) const noexcept {
         const drawing::Layer& layer = drawing_.layers[stroke.layer];
         Vertex vertex{{p.x + side.x, p.y + side.y, p.window},
@@ -175,7 +175,7 @@ struct Line {
         return miter * points[i].radius;
     }
 
-    // The vector from an end to its tip.
+    // Returns the vector from an end of the line to the end's tip.
     [[nodiscard]] glm::vec2 tip(bool end) const noexcept {
         const glm::vec2 left = across(end ? points.size() - 1 : 0, !end);
         const float far = 2.0F * drawing::point_length * (end ? points.back() : points.front()).radius;
@@ -183,7 +183,7 @@ struct Line {
     }
 };
 
-// A pointed end has two additional vertices, both at its tip.
+// Returns whether an end is pointed. Then it has two additional vertices, both at its tip.
 [[nodiscard]] bool has_tip(const Stroke& stroke, bool end) noexcept {
     return !stroke.closed && (end ? stroke.cap_end : stroke.cap_begin) == drawing::Cap::pointed;
 }
@@ -211,7 +211,7 @@ void write_dots(const base::Runtime& runtime, const Drawing& drawing, VertexScra
     });
 }
 
-// Strokes are sorted from far to near already, and each vertex has the number of its point.
+// Writes line strips. Strokes are already sorted from far to near, and each vertex has the number of its point.
 void write_lines(const base::Runtime& runtime, const Drawing& drawing, const Writer& writer) {
     runtime.parallel.for_chunks(drawing.strokes.size(), strokes_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t s = begin; s < end; ++s) {
@@ -222,7 +222,7 @@ void write_lines(const base::Runtime& runtime, const Drawing& drawing, const Wri
     });
 }
 
-// number: number of the strip's first vertex, which is twice the number of points and tips before it.
+// Writes a triangle strip. `number` is the index of its first vertex: twice the number of points and tips before it.
 void write_strip(const Drawing& drawing, const Stroke& stroke, std::int64_t number, const Writer& writer) {
     const Line line{
         drawing.points.span().subspan(static_cast<std::size_t>(stroke.first), static_cast<std::size_t>(stroke.count)),
@@ -272,7 +272,7 @@ void write_indices(const Drawing& drawing, Primitive primitive, std::uint32_t* t
 
 // ---- Numbers for the marks of a set
 
-// A mark of a run as it is drawn.
+// A mark of a run that is drawn.
 struct Drawn {
     std::int64_t mark;
     std::uint32_t layer; // index into the drawing's layers
@@ -299,7 +299,8 @@ void for_each_drawn(const Drawing& drawing, const drawing::Run& run, const F& f)
         for (std::int64_t i = stroke.first; i < end;) {
             const StrokePoint& p = drawing.points[i];
             Drawn drawn{std::int64_t{p.id - run.first_id}, stroke.layer, p.radius, p.opacity, p.depth};
-            for (++i; i < end && drawing.points[i].id == p.id; ++i) // several points of hatching may share a mark
+            // Several consecutive points of hatching may belong to one mark.
+            for (++i; i < end && drawing.points[i].id == p.id; ++i)
                 drawn.radius = std::max(drawn.radius, drawing.points[i].radius);
             f(drawn);
         }
@@ -384,7 +385,8 @@ std::span<const std::uint32_t> mark_indices(const base::Runtime& runtime, const 
         const std::int64_t end = layer.stroke_first[s + 1];
         for (std::int64_t i = layer.stroke_first[s]; i < end;) {
             std::int64_t stop = i;
-            while (stop < end && scratch.shown[layer.mark_of(stop)] != 0) ++stop; // a line needs at least two marks
+            // Find the end of the sequence of shown marks; a line needs at least two.
+            while (stop < end && scratch.shown[layer.mark_of(stop)] != 0) ++stop;
             for (std::int64_t k = i; stop - i > 1 && k < stop; ++k)
                 for (std::uint32_t side = 0; side < sides; ++side)
                     scratch.indices.push_back(sides * static_cast<std::uint32_t>(layer.mark_of(k)) + side);

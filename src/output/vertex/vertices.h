@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertex arrays in any layout: a drawing's dots and strokes for a host that draws them itself.
+// Vertex arrays in any layout: the dots and strokes of a drawing, for a host that draws them.
 #pragma once
 
 #include "base/runtime.h"
@@ -13,7 +13,7 @@ namespace hrbfnpr::output {
 
 // The values equal those of hrbfnpr_vertex_layout.primitive.
 enum class Primitive : std::uint32_t { points = 1, line_strips = 2, triangle_strips = 3 };
-// This index ends a strip.
+// An index with this value ends a strip.
 inline constexpr std::uint32_t index_restart = 0xFFFFFFFFU;
 
 // The values equal those of hrbfnpr_vertex_attribute.attribute.
@@ -41,7 +41,7 @@ struct VertexField {
     std::uint32_t offset;
 };
 
-// The number of bytes of a field; 0 if the attribute cannot have that type.
+// Returns the number of bytes of a field; 0 if the attribute cannot have that type.
 [[nodiscard]] std::int64_t size_of(const VertexField& field) noexcept;
 
 struct VertexBound {
@@ -51,7 +51,7 @@ struct VertexBound {
 
 struct VertexLayout {
     Primitive primitive;
-    std::span<const VertexField> fields; // the API boundary has checked them
+    std::span<const VertexField> fields; // already checked at the API boundary
     std::int64_t stride;
 };
 
@@ -60,12 +60,12 @@ struct VertexScratch {
         : order(runtime.memory), keys(runtime.memory), shown(runtime.memory), indices(runtime.memory) {}
 
     drawing::DepthSort order;
-    base::Array<std::uint64_t> keys; // depth and number of each dot or mark that is shown
-    base::Array<std::uint8_t> shown; // one for each mark of a run: 1 if it is shown, else 0
+    base::Array<std::uint64_t> keys; // depth and number of each shown dot or mark
+    base::Array<std::uint8_t> shown; // one flag for each mark of a run: 1 if it is shown, else 0
     base::Array<std::uint32_t> indices;
 };
 
-// Writes as many vertices and indices as vertex_bound() returns. indices may be NULL.
+// Writes exactly vertex_bound() vertices and indices. `indices` may be NULL.
 void write_vertices(const base::Runtime& runtime, const drawing::Drawing& drawing, VertexScratch& scratch,
                     const VertexLayout& layout, std::byte* vertices, std::uint32_t* indices);
 
@@ -76,10 +76,11 @@ struct MarkViews {
     base::OutView shown, radius, opacity;
 };
 
-// run: index into drawing.runs; the run is one layer of an item.
+// Writes the results of one run. `run` is an index into drawing.runs; a run is one layer of an item.
 void write_mark_results(const drawing::Drawing& drawing, std::int64_t run, const MarkViews& views);
 
-// Numbers of marks, as documented for hrbfnpr_drawing_write_mark_indices; valid until the scratch is used again.
+// Returns the numbers of marks that hrbfnpr_drawing_write_mark_indices documents. They are valid until the scratch is
+// used again.
 [[nodiscard]] std::span<const std::uint32_t> mark_indices(const base::Runtime& runtime, const drawing::Drawing& drawing,
                                                           std::int64_t run, drawing::MarkClass mark_class,
                                                           Primitive primitive, VertexScratch& scratch);
