@@ -35,7 +35,7 @@ namespace {
 
 // ---- Shape
 
-// This is small because third derivatives take half a millisecond per point, as sums over 100 000 centres.
+// The number is small because third derivatives take half a millisecond per point, as sums over 100 000 centres.
 constexpr std::int64_t points_a_look = 32;
 using ShapeColumn = std::array<double, static_cast<std::size_t>(points_a_look)>;
 
@@ -70,10 +70,13 @@ struct ShapeBatch {
     }
 };
 
-// Derivatives of II(u, v) = -H(u, v) / |g| along w, for tangent vectors that stay tangent.  With D_w n = P H w / |g|
-// and D_w |g| = H(n, w), the projections onto the tangent plane in -P H P / |g| add
-//   C(u, v, w) = -T(u, v, w) / |g| + (H(u, w) H(n, v) + H(v, w) H(n, u) + H(u, v) H(n, w)) / |g|^2,
-// which is symmetric, as Codazzi's equations require.  [Rusinkiewicz 2004 has the case of a mesh.]
+// Returns the derivatives of II(u, v) = -H(u, v) / |g| along w, for tangent vectors that stay tangent.
+//
+// With D_w n = P H w / |g| and D_w |g| = H(n, w), the projections onto the tangent plane in -P H P / |g| add
+//  C(u, v, w) = -T(u, v, w) / |g| + (H(u, w) H(n, v) + H(v, w) H(n, u) + H(u, v) H(n, w)) / |g|^2,
+// which is symmetric, as Codazzi's equations require.
+//
+// [Rusinkiewicz 2004 has the case of a mesh.]
 std::array<double, 4> change_of_curvature(const std::array<glm::dvec3, 2>& d, const glm::dvec2& bend,
                                           const glm::dvec2& normal_part, const std::array<double, 10>& third,
                                           double slope) noexcept {
@@ -81,7 +84,7 @@ std::array<double, 4> change_of_curvature(const std::array<glm::dvec3, 2>& d, co
     const std::array<double, 6> other = contracted(third, d[1]);
     const glm::dvec3 first1 = times(first, d[0]);
     const glm::dvec3 other2 = times(other, d[1]);
-    // In principal directions H(d_i, d_j) / |g| = -k_i or 0; normal_part is H(n, d_i) / |g|.
+    // In principal directions, H(d_i, d_j) / |g| is -k_i if i = j, else 0. normal_part is H(n, d_i) / |g|.
     return {-glm::dot(first1, d[0]) / slope - 3.0 * bend.x * normal_part.x,
             -glm::dot(first1, d[1]) / slope - bend.x * normal_part.y,
             -glm::dot(other2, d[0]) / slope - bend.y * normal_part.x,
@@ -109,8 +112,9 @@ struct AlongEdge {
     }
 };
 
-// Whether the form's change differs from its derivatives by the trapezoid rule. If a form has the error e and changes
-// by C along the surface, its zeros are off by e / C; by less in fact, since g is a cubic along edges.
+// Returns whether the change of the form between two vertices differs from the integral of its derivatives by the
+// trapezoid rule. If the form has the error e and changes at the rate C along the surface, its zeros are off by at most
+// e / C. They are off by less in fact, because g is a cubic along edges.
 bool is_rough(const ShapePoint& a, const ShapePoint& b, const glm::dvec3& edge, double least, double place) noexcept {
     const AlongEdge from(a, edge);
     const AlongEdge to(b, edge);
@@ -158,11 +162,11 @@ void copy(const geometry::VecArray& from, geometry::VecArray& to, const base::Pr
 
 // ---- Feature values
 
-// The unit direction v to the eye, in the tangent basis and along the normal.
+// The unit direction v to the eye, split into its tangent part w and its normal part.
 struct ViewAtPoint {
     glm::dvec2 w;
     double facing;   // n . v
-    double nearness; // 1 / distance; 0: infinitely far
+    double nearness; // 1 / distance to the eye; 0: infinitely far
 
     ViewAtPoint(const ShapePoint& shape, const glm::dvec3& position, const glm::dvec4& towards) noexcept {
         const glm::dvec3 v = glm::dvec3(towards) - towards.w * position;
@@ -196,7 +200,7 @@ FeatureValue suggestive(const ShapePoint& shape, const ViewAtPoint& view, double
     return value;
 }
 
-// Each sign of curvature has its own direction, so nothing changes abruptly where |k1| = |k2|.
+// Convex and concave crests have separate directions, so nothing changes abruptly where |k1| = |k2|.
 FeatureValue crest(const ShapePoint& shape, bool convex, double unit) noexcept {
     FeatureValue value;
     value.along = convex ? shape.d2() : shape.d1;
@@ -227,7 +231,7 @@ FeatureValue apparent_ridge(const ShapePoint& shape, const ViewAtPoint& view, do
     const double facing_change = glm::dot(view.gradient_of_facing(shape), s);
     const glm::dvec2 m_change = inverse * (view.turn(shape, s) - facing_change * m);
     value.g = 2.0 * (glm::dot(shape.change(x, s), qs) + glm::dot(y, m_change) * glm::dot(y, m));
-    // The factor keeps g at the magnitude of a curvature as `facing` approaches 0.
+    // The factor keeps g of the magnitude of a curvature as `facing` approaches 0.
     value.g *= std::abs(facing * facing * facing);
     value.along = shape.in_space(s);
     value.strength = std::sqrt(eigen.high) * unit;
@@ -246,12 +250,12 @@ FeatureValue parabolic(const ShapePoint& shape, double unit) noexcept {
 constexpr std::int64_t vertices_a_task = 4096;
 
 struct FeatureCrossing {
-    std::int32_t a, b; // vertices, a < b
+    std::int32_t a, b; // indices of the vertices, a < b
     double share;      // the interpolated root on the edge from a to b, in [0, 1]
-    double g_a, g_b;   // g relative to a's direction; the signs differ
-    double strength;   // linearly interpolated
-    bool counts;       // the strength is large enough, and the point faces the eye
-    // Directed kinds: the slope of g along the direction, as an area-weighted sum over the triangles on both sides.
+    double g_a, g_b;   // g at a and b, relative to the direction at a; the signs differ
+    double strength;   // linearly interpolated along the edge
+    bool counts;       // whether the strength is large enough and the point faces the eye
+    // For directed kinds: the slope of g along the direction, as an area-weighted sum over the triangles on both sides.
     double slope;
 };
 
@@ -296,22 +300,22 @@ double cubic_root(double at_0, double at_1, double slope_0, double slope_1, doub
     return s;
 }
 
-// g on the mesh. For directed kinds the sign of g depends on the sign of a principal direction.
+// The values of g on the mesh. For directed kinds the sign of g depends on the sign of a principal direction.
 struct FeatureField {
     const SurfaceMesh& mesh;
     const base::Array<FeatureValue>& value;
     bool directed;
-    double least; // the least strength
+    double least; // the least strength of a line
 
     [[nodiscard]] bool negative(std::int32_t vertex) const noexcept { return value[vertex].g < 0.0; }
     [[nodiscard]] bool turned(std::int32_t a, std::int32_t b) const noexcept {
         return directed && glm::dot(value[a].along, value[b].along) < 0.0;
     }
-    // The result is the same for both triangles of an edge.
+    // Returns whether g changes its sign along the edge. The result is the same for both triangles of the edge.
     [[nodiscard]] bool changes_sign(std::int32_t a, std::int32_t b) const noexcept {
         return negative(a) != (negative(b) != turned(a, b));
     }
-    // Uses a cubic where gradients are known.
+    // Returns the root of g on the edge. It uses a cubic where gradients are known.
     [[nodiscard]] double root(std::int32_t a, std::int32_t b, double g_a, double g_b) const noexcept {
         const double linear = g_a / (g_a - g_b);
         if (!(linear >= 0.0 && linear <= 1.0)) return 0.5;
@@ -328,12 +332,12 @@ struct FeatureField {
         const double s = root(a, b, g_a, g_b);
         const double strength = (1.0 - s) * value[a].strength + s * value[b].strength;
         const double facing = (1.0 - s) * value[a].facing + s * value[b].facing;
-        // At a contour the g of an apparent ridge has a pole, not a root.
+        // At a contour the g of an apparent ridge has a pole and not a root.
         const bool seen = facing >= 0.0 && (!directed || (value[a].facing >= 0.0 && value[b].facing >= 0.0));
         return {a, b, s, g_a, g_b, strength, strength > 0.0 && strength >= least && seen, 0.0};
     }
-    // The two edges that a line through the triangle crosses, as bits; 0: no line. Around an umbilic a direction may
-    // come back reversed, so that one or three edges are crossed.
+    // Returns, as bits, the two edges of the triangle that a line crosses; 0: no line. Around an umbilic a direction
+    // may return reversed, so that one or three edges are crossed.
     [[nodiscard]] std::uint8_t crossed(std::int64_t triangle) const noexcept {
         unsigned bits = 0;
         int count = 0;
@@ -347,7 +351,7 @@ struct FeatureField {
         }
         return count == 2 && counts ? static_cast<std::uint8_t>(bits) : std::uint8_t{0};
     }
-    // The slope of the linearly interpolated g along the mean direction, times twice the area.
+    // Returns twice the triangle's area times the slope of the linearly interpolated g along the mean direction.
     [[nodiscard]] double slope(std::int64_t triangle) const noexcept {
         const std::int32_t a = mesh.corner[3 * triangle];
         const std::int32_t b = mesh.corner[3 * triangle + 1];
@@ -369,8 +373,8 @@ struct FeatureField {
     }
 };
 
-// Finds the chains. Undirected ones have negative g to the left, as seen from outside. Crossings that do not count are
-// included only next to one that counts: they tell where between the two a line ends.
+// Finds the chains. In chains of undirected kinds, g is negative to the left, as seen from outside. Crossings that do
+// not count are included only next to a crossing that counts, because a line ends between the two.
 Chains<FeatureCrossing> find_crossings(const base::Work& work, const FeatureField& field) {
     base::Array<std::uint8_t> crossed(work.memory);
     crossed.resize_for_overwrite(field.mesh.triangles());
@@ -385,7 +389,8 @@ Chains<FeatureCrossing> find_crossings(const base::Work& work, const FeatureFiel
         for (std::int64_t i = edges.first[c]; i < edges.first[c + 1]; ++i) {
             FeatureCrossing crossing = field.crossing(edges.point[i]);
             const std::int64_t next = edges.next(c, i);
-            const bool first = i == edges.first[c] && edges.closed[c] == 0; // the next one leaves the same triangle
+            // The next crossing leaves the same triangle.
+            const bool first = i == edges.first[c] && edges.closed[c] == 0;
             if (field.directed)
                 crossing.slope = (first ? 0.0 : field.slope(edges.point[i] / 3)) +
                                  (next < 0 ? 0.0 : field.slope(edges.point[next] / 3));
@@ -396,13 +401,13 @@ Chains<FeatureCrossing> find_crossings(const base::Work& work, const FeatureFiel
     return chains;
 }
 
-// Keeps the parts of chains that may become lines. On directed chains g must rise along the direction (sign = 1) or
-// fall (-1), so that the function whose derivative is g has a minimum or a maximum. Parts must also be promising;
-// `weak` counts the others.
+// Keeps the parts of chains that may become lines. On chains of directed kinds, g must rise along the direction (sign =
+// 1) or fall (-1), so that the function whose derivative is g has a minimum or a maximum. The strength must also be
+// promising; `weak` counts the parts that fail this.
 Chains<FeatureCrossing> keep_candidates(const Chains<FeatureCrossing>& chains, const FeatureRequest& request,
                                         std::int64_t& weak) {
     const bool directed = is_directed(request.kind);
-    const double sign = request.kind == FeatureKind::ridge ? 1.0 : -1.0; // the curvature k2 of a ridge has a minimum
+    const double sign = request.kind == FeatureKind::ridge ? 1.0 : -1.0; // on a ridge the curvature k2 has a minimum
     Chains<FeatureCrossing> kept(chains.first.memory());
     for (std::int64_t c = 0; c < chains.count(); ++c) {
         const FeatureCrossing* const crossing = chains.point.data() + chains.first[c];
@@ -436,7 +441,7 @@ void evaluate(const base::Work& work, const FeatureSurface& surface, const Featu
     const std::int64_t count = at.position.size();
     value.resize_for_overwrite(count);
     if (request.kind == FeatureKind::isophote) {
-        shape.resize(count); // n . l needs normals only
+        shape.resize(count); // isophotes need only normals
         for (std::int64_t i = 0; i < count; ++i) shape[i].normal = glm::normalize(at.gradient[i]);
     } else {
         measure_shape(work, surface.source, at.position, at.gradient, shape);
@@ -448,12 +453,12 @@ void evaluate(const base::Work& work, const FeatureSurface& surface, const Featu
 
 struct FeatureSearch {
     std::int64_t crossing;
-    Illinois root;   // between the parameters 0 and 1 of the edge
-    double smallest; // |g| at the best point
+    Illinois root;   // the bracket of the root, in parameters from 0 to 1 along the edge
+    double smallest; // the least |g|, which belongs to the best point
 };
 
-// Finds the root of g on the surface between the two vertices of each edge, all in parallel. The Illinois method runs
-// along the edge, and its points are projected onto f = 0. vertex: the values from which the crossings were found.
+// Finds, in parallel, the root of g on the surface between the two vertices of each edge. The Illinois method runs
+// along the edge, and its points are projected onto f = 0. `vertex` has the values from which the crossings were found.
 base::Array<FeaturePoint> refine_crossings(const base::Work& work, const FeatureSurface& surface,
                                            const FeatureRequest& request, double level,
                                            const base::Array<FeatureValue>& vertex,
@@ -514,7 +519,7 @@ base::Array<FeaturePoint> refine_crossings(const base::Work& work, const Feature
     return points;
 }
 
-// Finds points of a section by Newton's steps to zeros of f and of the height above the plane. The strength of a
+// Finds the points of a section by Newton's method: zeros of f and of the height above the plane. The strength of a
 // section is the sine of the angle between the plane and the surface.
 base::Array<FeaturePoint> refine_section(const base::Work& work, const FeatureSurface& surface, const glm::dvec3& plane,
                                          double level, const base::Array<FeatureCrossing>& crossing) {
@@ -547,9 +552,10 @@ base::Array<FeaturePoint> refine_section(const base::Work& work, const FeatureSu
     return points;
 }
 
-// Multiplies the strengths of ridges and valleys by a factor from 0 to 1 that measures how much the curvature drops on
-// both sides; it is 0 on a cylinder. The drop is 2 (1 - k' / k) / (k s)^2, where k' is the mean curvature at the
-// distance s on both sides. For small s this is -k'' / k^3; s = 1 / 2k, a turn of half a radian.
+// Multiplies the strengths of ridges and valleys by a factor from 0 to 1. The factor grows with the drop of the
+// curvature on both sides, and is 0 on a cylinder. The drop is 2 (1 - k' / k) / (k s)^2, where k' is the mean curvature
+// at the distance s on both sides. For small s this is -k'' / k^3. The distance is s = 1 / 2k, at which the surface has
+// turned by half a radian.
 void weigh_by_drop(const base::Work& work, const FeatureSurface& surface, FeatureKind kind,
                    base::Array<FeaturePoint>& points) {
     const bool convex = kind == FeatureKind::ridge;
@@ -591,7 +597,7 @@ void add_lines(const Chains<FeatureCrossing>& chains, const base::Array<FeatureP
     const auto counts = [&](const FeaturePoint& p) {
         return p.strength > 0.0 && p.strength >= request.lower && p.facing >= 0.0 && p.resolved;
     };
-    // Adds the end of a line by linear interpolation, between a point that counts and one that does not.
+    // Adds the end of a line, by linear interpolation between a point that counts and one that does not.
     const auto add_end = [&](const FeaturePoint& in, const FeaturePoint& out) {
         if (!out.resolved) return;
         const auto root = [](double from, double to) { return to < 0.0 && from >= 0.0 ? from / (from - to) : 1.0; };
@@ -631,8 +637,8 @@ void add_lines(const Chains<FeatureCrossing>& chains, const base::Array<FeatureP
             count, closed, [&](std::int64_t i) { return counts(at(i)); },
             [&](std::int64_t begin, std::int64_t end, bool whole) {
                 if (!whole && (closed || begin > 0)) add_end(at(begin), at(begin - 1));
-                // If the line passes a vertex, it crosses several edges there: points that close tell nothing of the
-                // line's direction.
+                // Where the line passes a vertex it crosses several edges. Points that are so close say nothing about
+                // the direction of the line.
                 for (std::int64_t i = begin; i < end; ++i)
                     if (lines.point.size() == lines.first.back() ||
                         !(glm::distance(at(i).position, lines.point.back().position) < gap))

@@ -33,26 +33,27 @@ struct ShapePoint {
     std::array<double, 4> c{}; // C111 C112 C122 C222: derivatives of the second fundamental form
 
     [[nodiscard]] glm::dvec3 d2() const noexcept { return glm::cross(normal, d1); }
-    // Converts between vectors in space and tangent vectors in the basis d1, d2.
+    // Convert between vectors in space and tangent vectors in the basis d1, d2.
     [[nodiscard]] glm::dvec2 in_tangent(const glm::dvec3& v) const noexcept {
         return {glm::dot(v, d1), glm::dot(v, d2())};
     }
     [[nodiscard]] glm::dvec3 in_space(const glm::dvec2& t) const noexcept { return t.x * d1 + t.y * d2(); }
-    // The second fundamental form applied to one vector.
+    // Returns the second fundamental form applied to one vector.
     [[nodiscard]] glm::dvec2 bend(const glm::dvec2& t) const noexcept { return {k1 * t.x, k2 * t.y}; }
-    // C(u, v, .)
+    // Returns the vector C(u, v, .).
     [[nodiscard]] glm::dvec2 change(const glm::dvec2& u, const glm::dvec2& v) const noexcept {
         const double mixed = u.x * v.y + u.y * v.x;
         return {c[0] * u.x * v.x + c[1] * mixed + c[2] * u.y * v.y, c[1] * u.x * v.x + c[2] * mixed + c[3] * u.y * v.y};
     }
 };
 
-// hessian: xx xy xz yy yz zz; third: xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz. If k1 = k2 the directions are arbitrary,
-// and C refers to them.
+// Computes the shape at a point. The order of `hessian` is xx xy xz yy yz zz, and that of `third` is xxx xxy xxz xyy
+// xyz xzz yyy yyz yzz zzz. If k1 = k2 the directions are arbitrary, and C refers to them.
 [[nodiscard]] ShapePoint shape_point(const glm::dvec3& gradient, const std::array<double, 6>& hessian,
                                      const std::array<double, 10>& third) noexcept;
 
-// gradient: grad f at the points. result is resized. The same bits for any thread count.
+// Computes the shape at all points. `gradient` is grad f there. Resizes `result`. Gives the same bits for any thread
+// count.
 void measure_shape(const base::Work& work, const implicit::ShapeSource& source, const geometry::VecArray& position,
                    const geometry::VecArray& gradient, base::Array<ShapePoint>& result);
 
@@ -64,34 +65,36 @@ struct ShapedMesh {
     [[nodiscard]] std::int64_t bytes() const noexcept { return mesh.bytes() + shape.bytes(); }
 };
 
-// Halves edges in up to three rounds, and brings their middles onto the surface. Each triangle is cut into two, three
-// or four at its halved edges, so triangles still meet only in edges and corners. The vertices of `mesh` come first.
-// The same bits for any thread count. Throws Error{out_of_memory, cancelled, callback}.
+// Makes a refined copy of a mesh with its shape. It halves edges in up to three rounds, and moves their middles onto
+// the surface. A triangle with halved edges is cut into two, three or four, so triangles still meet only in edges and
+// corners. The vertices of `mesh` come first. Gives the same bits for any thread count. Throws Error{out_of_memory,
+// cancelled, callback}.
 [[nodiscard]] ShapedMesh measured_mesh(const base::Work& work, const implicit::Implicit& implicit,
                                        const implicit::ShapeSource& source, const SurfaceMesh& mesh);
 
 enum class FeatureKind : std::uint8_t {
     suggestive_contour, // [DeCarlo et al. 2003]
-    ridge,              // convex; [Ohtake, Belyaev & Seidel 2004]
+    ridge,              // convex crests [Ohtake, Belyaev & Seidel 2004]
     valley,
     apparent_ridge, // [Judd, Durand & Adelson 2007]
-    parabolic,      // K = 0
-    isophote,       // n . l = level
+    parabolic,      // where the Gaussian curvature K is 0
+    isophote,       // where n . l = level, for the direction l to the light
     section         // plane . p = level
 };
 
-// Whether the sign of g changes with the sign of a principal direction.
+// Returns whether the sign of g changes with the sign of a principal direction.
 [[nodiscard]] constexpr bool is_directed(FeatureKind kind) noexcept {
     return kind == FeatureKind::ridge || kind == FeatureKind::valley || kind == FeatureKind::apparent_ridge;
 }
-// Whether g is computed from curvatures.
+// Returns whether g is computed from curvatures.
 [[nodiscard]] constexpr bool needs_shape(FeatureKind kind) noexcept { return kind != FeatureKind::section; }
 
 struct FeatureValue {
     double g = 1.0;
-    double strength = -1.0; // without a unit; not positive: no line passes here, whatever g is
-    double facing = 1.0;    // view-dependent kinds: n . v with v the direction to the eye or light; else 1
-    glm::dvec3 along{0.0};  // directed kinds: the unit direction of the derivative g; both change their signs together
+    double strength = -1.0; // dimensionless; if not positive, no line passes here, whatever g is
+    double facing = 1.0;    // view-dependent kinds: n . v, where v is the direction to the eye or light; other kinds: 1
+    // Directed kinds: the unit direction along which g is the derivative; g changes its sign with it.
+    glm::dvec3 along{0.0};
     glm::dvec3 gradient{0.0}; // the gradient of g along the surface, if third derivatives of f suffice for it; else 0
 };
 
@@ -115,26 +118,27 @@ struct FeatureValue {
 
 struct FeatureRequest {
     FeatureKind kind = FeatureKind::suggestive_contour;
-    // For view-dependent lines: the place (w = 1) of the eye or light, or the direction to it (w = 0).
+    // View-dependent lines: the position of the eye or light (w = 1), or the direction to it (w = 0).
     glm::dvec4 towards{0.0, 0.0, 1.0, 0.0};
-    glm::dvec3 plane{0.0, 0.0, 1.0}; // sections: the planes' unit normal
+    glm::dvec3 plane{0.0, 0.0, 1.0}; // sections: the unit normal of the planes
     std::span<const double> levels;  // isophotes, sections: one or several levels
-    // A line continues while its strength is at least `lower`, and is drawn if it reaches `upper` somewhere
-    // (hysteresis). To fade it, draw it with (strength - lower) / (upper - lower).
+    // A line continues while its strength is at least `lower`, and is drawn if its strength reaches `upper` somewhere
+    // (hysteresis). To fade a line, multiply its ink by (strength - lower) / (upper - lower).
     double lower = 0.0;
     double upper = 0.0;
-    double shortest = 0.0; // shorter lines are dropped, in diagonals
-    // The greatest number of evaluations of g for each point. With 0, points are zeros of g by interpolation: cubic for
-    // suggestive contours, parabolic lines and isophotes, which is enough for drawing, else linear.
+    double shortest = 0.0; // lines shorter than this are dropped, in diagonals
+    // The greatest number of evaluations of g for each point. If it is 0, points are found by interpolation.
+    // Interpolation is cubic for suggestive contours, parabolic lines and isophotes, which is enough for drawing; it is
+    // linear for other kinds.
     std::int32_t rounds = 6;
 };
 
-// The surface on which lines are found. Everything it refers to outlives the call.
+// The surface on which lines are found. The members must outlive every call that gets it.
 struct FeatureSurface {
     const implicit::Implicit& implicit;
     const implicit::ShapeSource& source;
     const SurfaceMesh& mesh;
-    const base::Array<ShapePoint>& shape; // at the mesh's vertices; may be empty for sections
+    const base::Array<ShapePoint>& shape; // the shape at the vertices of the mesh; may be empty for sections
 };
 
 struct FeaturePoint {
@@ -142,16 +146,16 @@ struct FeaturePoint {
     glm::dvec3 normal{0.0};   // unit
     double strength = 0.0;    // see feature_value(); for sections the sine of the angle between plane and surface
     double facing = 1.0;      // see feature_value()
-    bool resolved = false;    // whether a root was found
+    bool resolved = false;    // true if a root was found
 };
 
 struct FeatureLines : Chains<FeaturePoint> {
     explicit FeatureLines(base::Memory& memory) : Chains(memory), level(memory) {}
 
     base::Array<std::int32_t> level; // the index of each line's level in the request
-    std::int64_t weak = 0;           // lines that stay below `upper`
+    std::int64_t weak = 0;           // the number of lines whose strength stays below `upper`
     std::int64_t too_short = 0;
-    std::int64_t unresolved = 0; // crossings of the mesh without a root; lines end there
+    std::int64_t unresolved = 0; // the number of crossings of the mesh without a root; lines end there
 };
 
 // Gives the same bits for any thread count. Throws Error{out_of_memory, cancelled, callback}.

@@ -81,16 +81,16 @@ SurfaceLines own_lines(const base::Work& work, const implicit::Implicit& surface
 
 // ---- The border
 
-constexpr int most_rounds = 6; // each round halves pieces
+constexpr int most_rounds = 6; // each round halves the pieces that turn too much
 
 struct BorderPoint {
     CurvePoint point;
-    bool exact = false; // the point is on f = g = 0; false: it is where the region ends
+    bool exact = false; // whether f = g = 0 at the point; false: the region ends there
 };
 
 Chains<std::int32_t> border_vertices(base::Memory& memory, const SurfaceMesh& mesh) {
     HRBFNPR_ASSERT(mesh.neighbour.size() == mesh.corner.size());
-    base::Array<std::int32_t> after(memory, mesh.vertices()); // 1 + the next vertex along the border
+    base::Array<std::int32_t> after(memory, mesh.vertices()); // for each vertex, 1 + the next vertex along the border
     for (std::int64_t e = 0; e < mesh.corner.size(); ++e)
         if (mesh.neighbour[e] < 0) after[start_of(mesh, e)] = 1 + end_of(mesh, e);
     Chains<std::int32_t> chains(memory);
@@ -107,7 +107,7 @@ Chains<std::int32_t> border_vertices(base::Memory& memory, const SurfaceMesh& me
     return chains;
 }
 
-// Drops points of the cut that are crowded, except next to the end of the region.
+// Drops crowded points of the cut, except next to the end of the region.
 Chains<BorderPoint> thinned_border(const Chains<std::int32_t>& border, const ClippedMesh& clipped) {
     HRBFNPR_ASSERT(clipped.mesh.vertices() - clipped.first_cut == clipped.cut.size());
     Chains<BorderPoint> chains(border.first.memory());
@@ -144,7 +144,7 @@ Chains<BorderPoint> thinned_border(const Chains<std::int32_t>& border, const Cli
     return chains;
 }
 
-// The mesh's border edges as lines. The surface lies to the left, as seen from outside.
+// Returns the mesh's border edges as lines. The surface lies to the left, as seen from outside.
 SurfaceLines border_lines(base::Memory& memory, const SurfaceMesh& mesh) {
     const Chains<std::int32_t> border = border_vertices(memory, mesh);
     SurfaceLines lines(memory);
@@ -157,8 +157,8 @@ SurfaceLines border_lines(base::Memory& memory, const SurfaceMesh& mesh) {
     return lines;
 }
 
-// The border of a mesh that was cut along g = 0. Points of the cut are on f = g = 0 and have exact tangents; points are
-// added where the curve turns.
+// Returns the border of a mesh that was cut along g = 0. Points of the cut are on f = g = 0 and have exact tangents.
+// Points are added where the curve turns.
 SurfaceLines exact_border(const base::Work& work, const Level& level, const ClippedMesh& clipped) {
     const double side = clipped.mesh.side;
     Chains<BorderPoint> chains = thinned_border(border_vertices(work.memory, clipped.mesh), clipped);
@@ -194,7 +194,7 @@ SurfaceLines exact_border(const base::Work& work, const Level& level, const Clip
     return lines;
 }
 
-// Whether the whole border was cut, so that none of it is the end of the region.
+// Returns whether the whole border was cut, so that no part of it is at the end of the region.
 bool is_all_cut(const ClippedMesh& clipped) noexcept {
     const SurfaceMesh& mesh = clipped.mesh;
     for (std::int64_t e = 0; e < mesh.corner.size(); ++e)
@@ -206,12 +206,12 @@ bool is_all_cut(const ClippedMesh& clipped) noexcept {
 // ---- Sections
 
 constexpr int corner_steps = 20;           // the greatest number of Newton steps
-constexpr double corner_tolerance = 1e-10; // a shorter step is the last one, in sides
+constexpr double corner_tolerance = 1e-10; // the search ends after a step shorter than this, in sides
 constexpr double same_place = 1e-9;        // ends closer than this are joined, in sides
 
 struct SectionCorner {
     glm::dvec3 place;
-    glm::dvec3 left, right; // unit normals of both sheets
+    glm::dvec3 left, right; // unit normals of the two sheets
     std::int32_t level;
 };
 
@@ -252,8 +252,8 @@ base::Array<SectionCorner> find_section_corners(base::Memory& memory, const impl
     return corners;
 }
 
-// Moves the ends of lines to corners. Points before an end that lie beyond the corner are moved between the corner and
-// the last point before it. The normal at the corner is that of the line's own sheet.
+// Moves the ends of lines to corners. If points before an end lie beyond the corner, they are moved between the corner
+// and the previous point. The normal at the corner is that of the line's own sheet.
 void end_at_corners(const base::Runtime& runtime, const base::Array<SectionCorner>& corners, double side,
                     FeatureLines& lines) {
     geometry::VecArray places(runtime.memory);
@@ -294,7 +294,8 @@ SurfaceLines join(base::Memory& memory, const SurfaceLines& lines, double side) 
     const Curves& curves = lines.curves;
     const auto start = [&](std::int64_t line) { return curves.first[line]; };
     const auto last = [&](std::int64_t line) { return curves.first[line + 1] - 1; };
-    base::Array<std::int64_t> after(memory, curves.count()), before(memory, curves.count()); // for each line; -1: none
+    // For each line, the line joined to its end or start; -1: none.
+    base::Array<std::int64_t> after(memory, curves.count()), before(memory, curves.count());
     std::fill(after.begin(), after.end(), -1);
     std::fill(before.begin(), before.end(), -1);
     geometry::VecArray starts(memory);
@@ -372,14 +373,14 @@ FeatureKind feature_of(LineKind kind) noexcept {
     }
 }
 
-// The values were chosen by eye on scans and on smooth models.
+// Returns the default thresholds, which were chosen by eye on scans and on smooth models.
 Thresholds default_thresholds(LineKind kind) noexcept {
     switch (kind) {
     case LineKind::suggestive_contour: return {10.0, 30.0};
     case LineKind::ridge:
     case LineKind::valley: return {6.0, 15.0};
     case LineKind::apparent_ridge: return {12.0, 25.0};
-    case LineKind::crease: return {15.0, 30.0}; // degrees
+    case LineKind::crease: return {15.0, 30.0}; // in degrees
     default: return {0.0, 0.0};
     }
 }
@@ -396,13 +397,13 @@ void LineSet::make_mesh(const base::Work& work, const LineSetSettings& settings)
     const geometry::VecArray seeds = settings.seeds.empty() ? found_seeds(work.part(0.0, 0.2), surface_, mesh.region)
                                                             : given_seeds(work.memory, settings.seeds);
     mesh.domain = settings.support.domain;
-    double last = std::numeric_limits<double>::infinity(); // the previous side
+    double last = std::numeric_limits<double>::infinity(); // the side in the previous round
     for (double from = 0.2;; from = 0.5 * (1.0 + from)) {
         mesh_ = automatic ? triangulate_of_any_size(work.part(from, 0.5 * (1.0 + from)), surface_, seeds, mesh)
                           : triangulate(work.part(from, 0.5 * (1.0 + from)), surface_, seeds, mesh);
         if (domain_ != nullptr) clip_mesh(work);
         if (domain_ == nullptr) border_ = border_lines(work.memory, *mesh_);
-        // If walls are thinner than the cells, creases cut very many triangles. In smaller cells they cut fewer.
+        // Where walls are thinner than the cells, creases cut very many triangles. With smaller cells, fewer are cut.
         const bool last_one =
             !automatic || 4 * mesh_->triangles() > feature_tuning.most_triangles_of_finer || mesh.side >= last;
         const bool missed = mesh_->missed_seeds > 0;
@@ -425,7 +426,7 @@ void LineSet::make_mesh(const base::Work& work, const LineSetSettings& settings)
     sheets_.emplace(work, *mesh_);
 }
 
-// If no normals are given, the surface's own normals are used.
+// If no normals are given, the normals of the surface are used.
 void LineSet::measure_support(const base::Work& work, const SupportSettings& settings) {
     const geometry::VecArray points = given_seeds(work.memory, settings.points);
     geometry::VecArray normals = given_seeds(work.memory, settings.normals);

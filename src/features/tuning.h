@@ -10,9 +10,11 @@ namespace hrbfnpr::curves {
 struct FeatureTuning {
     // ---- Points of feature lines
 
-    // A search ends where |g| is below this share of its values at the ends of the edge. Smaller: more evaluations.
+    // A search for a root ends where |g| is below this share of its values at the ends of the edge. Smaller: more
+    // evaluations.
     double small_enough = 1e-4;
-    // After the last round, the best place counts as a root if |g| is below this share. Larger: lines that cross noise.
+    // After the last round, the best place counts as a root if |g| is below this share of its values at the ends of the
+    // edge. Larger: lines that cross noise.
     double acceptable = 0.1;
     // Apparent ridges end where n . v is below this, since their curvature is unbounded at the contour. Larger: they
     // end farther from it.
@@ -20,12 +22,13 @@ struct FeatureTuning {
     // Chains are refined only if their strength at the vertices reaches this share of `upper`. Larger: less time, but
     // lines are lost whose strength the mesh does not show.
     double promising = 0.7;
-    // A ridge or valley has the full strength of its curvature if the curvature drops by this, as weigh_by_drop()
-    // measures it. Larger: weaker ridges on round tubes. An ellipse has 3 (1 - (b / a)^2) at the end of its longer
-    // axis.
+    // A ridge or valley keeps its full strength if the drop of its curvature, as measured by weigh_by_drop(), is at
+    // least this. Larger: ridges on round tubes are weaker. At the end of the longer axis of an ellipse the drop is 3
+    // (1 - (b / a)^2).
     double full_drop = 0.5;
-    // The distance at which that drop is measured is at least `least_aside` sides, since derivatives at one place would
-    // mistake the ripple of a fit for ridges, and at most `most_aside` diagonals. Larger: small ridges are weaker.
+    // The drop is measured at a distance of at least `least_aside` sides, because derivatives at a single place would
+    // take the ripple of a fit for ridges. The distance is at most `most_aside` diagonals. Larger: small ridges are
+    // weaker.
     double least_aside = 2.0;
     double most_aside = 0.1;
     // The sign of the derivative along a line is the sign of its sum over this many crossings on either side. Larger:
@@ -36,29 +39,30 @@ struct FeatureTuning {
 
     // ---- The mesh
 
-    // An edge is halved if a line may be off by this, in diagonals, where a curvature does not change as its
-    // derivatives predict. Smaller: more triangles.
+    // An edge is halved if a curvature changes along it in another way than its derivatives predict, and if lines could
+    // be off by more than this, in diagonals. Smaller: more triangles.
     double off_line = 3e-4;
-    // Derivatives of curvature count as at least this share of their root mean square. Larger: flat parts stay coarse.
+    // Where derivatives of curvature are small, this share of their root mean square is used instead. Larger: flat
+    // parts stay coarse.
     double least_change = 0.3;
     // The number of rounds in which edges are halved. More: rough fits are followed more closely, more time.
     int halvings = 3;
-    // The middle of an edge may move to the surface by at most this share of the edge's length. Larger: edges across
-    // thin walls are halved.
+    // The middle of a halved edge may move by at most this share of the edge's length. Larger: edges across thin walls
+    // are halved.
     double farthest_middle = 0.4;
     std::int64_t most_triangles = 4'000'000;
 
     // ---- Sections and borders
 
-    // Newton's method for a point of a section ends with a step this short, in diagonals.
+    // Newton's method for a point of a section ends after a step shorter than this, in diagonals.
     double section_tolerance = 1e-9;
-    // The end of a section's line moves to a crease within this distance, in sides. Larger: ends of other lines move,
-    // too.
+    // The end of a section's line is moved to a crease within this distance, in sides. Larger: ends of other lines
+    // move, too.
     double corner_reach = 0.75;
     // Where two lines of a section meet at an angle, this length of each is left out, in sides, so that cubics do not
     // overshoot. Larger: visibly round corners.
     double around_corner = 1e-4;
-    // Lines meet smoothly if the cosine of the angle between their tangents is larger.
+    // Two lines meet smoothly if the cosine of the angle between their tangents is above this.
     double smooth = 0.9999;
     // Points of a border closer than this to the previous one are dropped, in sides. Smaller: more points.
     double border_gap = 0.1;
@@ -77,12 +81,12 @@ struct FeatureTuning {
     // Seeds are searched from this many points of the bounds along each axis. More: smaller parts are found.
     std::int64_t lattice = 24;
     // The mesh is made again with smaller cells if more than this share of its triangles faces away from the surface,
-    // since walls are thinner than the cells. The limit is `torn_share` if smaller cells would give more than
+    // because then walls are thinner than the cells. The limit is `torn_share` if smaller cells would give more than
     // `most_triangles_of_finer` triangles. Smaller: finer meshes.
     double turned_share = 2e-4;
     double torn_share = 2e-2;
     std::int64_t most_triangles_of_finer = 1'200'000;
-    // A line of the caller's is cut where the cosine of its turn is below this, 25 degrees, so that corners stay sharp.
+    // A line of the caller is cut where the cosine of its turn is below this (25 degrees), so that corners stay sharp.
     double own_corner = 0.906;
 };
 inline constexpr FeatureTuning feature_tuning;
