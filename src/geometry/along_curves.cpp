@@ -11,14 +11,15 @@ namespace hrbfnpr::geometry {
 namespace {
 
 constexpr std::int64_t most_asked = 256;
-constexpr std::int64_t fewest = 16; // Fewer points decide nothing.
+constexpr std::int64_t fewest = 16; // with fewer points there is no decision
 constexpr std::int64_t thinner = 4;
 constexpr std::int64_t fewest_thinned = 256;
 constexpr std::int64_t most_thinned = 200000;
-// A test of a point's nearest neighbours: their deviation across a line is less than `across` times that along it.
-// Points lie along curves if it holds for more than `share` of them. More neighbours see over noise. For points all
-// over a surface the shares are at most 0.12, 0.00 and 0.00 (0.12 on a scan's layers, else at most 0.03). For wires and
-// sections with noise of 0.001 diagonals at least one share is exceeded.
+// A test of a point's nearest neighbours. A point passes if its neighbours deviate from a line by less than `across`
+// times their extent along it. Points lie along curves if more than `share` of them pass. Tests with more neighbours
+// tolerate more noise. For points all over a surface, the shares that pass the three tests are at most 0.12, 0.00 and
+// 0.00 (0.12 on the layers of a scan, else at most 0.03). For wires and sections with noise of 0.001 diagonals, at
+// least one share exceeds its limit.
 struct LineTest {
     std::size_t neighbours;
     double across;
@@ -45,7 +46,7 @@ bool lie_on_line(std::span<const glm::dvec3> offsets, double across) noexcept {
     return all - along < across * across * along;
 }
 
-// Applies each of the looks to one point, and counts those that hold. Points that coincide with it are ignored.
+// Applies each test to one point, and counts the tests that it passes. Points that coincide with it are ignored.
 void apply_line_tests(const PointTree& tree, std::int64_t at,
                       std::array<std::int64_t, line_tests.size()>& on_lines) noexcept {
     constexpr std::size_t asked = most + 8;
@@ -80,8 +81,8 @@ bool lie_on_lines(const PointTree& tree) noexcept {
 
 } // namespace
 
-// Thinned points are farther apart, so noise matters less. They are picked at random, since every fourth point of a
-// grid would lie along lines.
+// Also tests some of the points alone, because noise matters less where points are farther apart. They are picked at
+// random: every fourth point of a grid would lie along lines.
 bool lie_along_curves(const PointTree& tree) {
     if (lie_on_lines(tree)) return true;
     if (tree.size() > most_thinned) return false;

@@ -7,7 +7,7 @@
 
 namespace hrbfnpr::geometry {
 
-// Tells whether enough points have their nearest neighbours along a line.
+// Returns whether enough points have nearest neighbours along a line.
 [[nodiscard]] bool lie_along_curves(const PointTree& tree);
 
 } // namespace hrbfnpr::geometry

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tree of boxes over items in a given order. It works best if items with consecutive numbers are near each other.
+// A tree of boxes over items in a given order. It is fastest if items with consecutive numbers are near each other.
 #pragma once
 
 #include "base/assert.h"
@@ -54,7 +54,7 @@ BoxTree::BoxTree(const base::Work& work, std::int64_t items, BoundsOf&& bounds) 
 
 template <class Meets, class Visit>
 void BoxTree::visit(Meets&& meets, Visit&& visit) const {
-    std::array<std::int64_t, 64> stack{1}; // at most one waiting node per level, and one more
+    std::array<std::int64_t, 64> stack{1}; // room for one waiting node per level, and one more
     std::size_t depth = 1;
     while (depth > 0) {
         const std::int64_t node = stack[--depth];

@@ -9,7 +9,7 @@
 namespace hrbfnpr::geometry {
 namespace {
 
-// The two lowest bits of each coordinate of a packed cell.
+// A mask for the two lowest bits of each coordinate of a packed cell.
 constexpr std::uint64_t in_block = 3U | std::uint64_t{3} << CellGrid::bits | std::uint64_t{3} << (2 * CellGrid::bits);
 
 // block_of returns the name of a cell's block, and bit_of the cell's bit in it.

@@ -11,7 +11,7 @@ namespace hrbfnpr::geometry {
 namespace {
 
 constexpr std::int64_t leaf_size = 16;
-constexpr double picked = -1.0; // below any squared distance
+constexpr double picked = -1.0; // marks a picked point; it is below any squared distance
 
 // A k-d tree in which each node knows which of its points is farthest from the picked points. The next pick is read
 // from the root, and a pick visits only nodes that hold a point whose distance it may shorten.
@@ -21,14 +21,14 @@ public:
 
     [[nodiscard]] std::int64_t nearest_to_centre() const noexcept;
     [[nodiscard]] std::int64_t farthest() const noexcept { return nodes_[0].farthest; }
-    // The squared distance of farthest() from the picked points.
+    // Returns the squared distance of farthest() from the picked points.
     [[nodiscard]] double squared_distance() const noexcept { return nodes_[0].squared_distance; }
     void pick(std::int64_t at) noexcept;
 
     [[nodiscard]] std::int64_t index(std::int64_t at) const noexcept { return tree_.index(at); }
 
 private:
-    struct Node { // a cache line
+    struct Node { // the size of a cache line
         glm::dvec3 low{0.0};
         glm::dvec3 high{0.0};
         double squared_distance = 0.0;
@@ -41,14 +41,15 @@ private:
     void lower_distances(const Range& range, const glm::dvec3& p) noexcept;
     void scan(const Range& leaf) noexcept;
     void update_from_children(Node& node, const Range& range) noexcept;
-    // Tells whether point a, with its distance, is picked before point b.
+    // Returns whether point a, with its distance, is picked before point b.
     [[nodiscard]] bool before(double a_distance, std::int64_t a, double b_distance, std::int64_t b) const noexcept {
         return a_distance > b_distance || (a_distance == b_distance && index(a) < index(b));
     }
 
     PointTree tree_;
-    base::Array<double> squared_distance_; // from each point, in the tree's order, to the picked points
-    base::Array<Node> nodes_;              // in heap order
+    // For each point, in the tree's order, the squared distance to the picked points.
+    base::Array<double> squared_distance_;
+    base::Array<Node> nodes_; // in heap order
 };
 
 FarthestTree::FarthestTree(const VecArray& points, const base::Progress& progress)
@@ -95,8 +96,8 @@ void FarthestTree::pick(std::int64_t at) noexcept {
 void FarthestTree::lower_distances(const Range& range, const glm::dvec3& p) noexcept {
     Node& node = nodes_[range.node];
     const glm::dvec3 outside = glm::max(glm::max(node.low - p, p - node.high), glm::dvec3(0.0));
-    // Nodes at equal distance could be skipped too, if only distances counted. But the node that holds p must learn
-    // that p is picked.
+    // For distances alone, nodes at equal distance could be skipped, too. But the node that holds p must be updated,
+    // because p is picked.
     if (glm::dot(outside, outside) > node.squared_distance) return;
     if (!range.leaf()) {
         lower_distances(range.low(), p);

@@ -23,7 +23,7 @@ struct HeapNode {
     [[nodiscard]] HeapNode low() const noexcept { return {2 * node + 1, begin, middle()}; }
     [[nodiscard]] HeapNode high() const noexcept { return {2 * node + 2, middle(), end}; }
 
-    // Returns how many node numbers a tree of `count` items has. Some of these numbers are unused.
+    // Returns the number of node indices that a tree of `count` items needs. Some of them are unused.
     [[nodiscard]] static std::int64_t nodes(std::int64_t count) noexcept {
         std::int64_t nodes = 1;
         for (std::int64_t longest = count; longest > leaf_size; longest = (longest + 1) / 2) nodes = 2 * nodes + 1;
@@ -31,7 +31,7 @@ struct HeapNode {
     }
 };
 
-// Every level halves its ranges, so 2^63 items would have 60 levels.
+// The largest number of levels. Each level halves the ranges, so 2^63 items need about 60 levels.
 inline constexpr std::size_t most_heap_levels = 64;
 
 // Returns the axis along which a box is longest.

@@ -30,7 +30,7 @@ inline constexpr int morton_bits = 21; // per coordinate
     return (x | x >> 32) & 0x1fffff;
 }
 
-// The coordinates must be in [0, 2^21).
+// Returns the Morton code. The coordinates must be in [0, 2^21).
 [[nodiscard]] constexpr std::uint64_t morton_code(const std::array<std::int64_t, 3>& cell) noexcept {
     return morton_spread(static_cast<std::uint64_t>(cell[0])) |
            morton_spread(static_cast<std::uint64_t>(cell[1])) << 1U |

@@ -44,8 +44,8 @@ private:
             for (std::int64_t j = s.first_child; j < s.first_child + s.children; ++j) walk(i, j, counting);
     }
 
-    // Counts go to begin[target + 2]. After summation the list of `target` begins at begin[target + 1], which filling
-    // advances.
+    // Counts are stored in begin[target + 2]. After summation, the list of `target` starts at begin[target + 1], which
+    // is advanced as the list is filled.
     static void add(base::Array<std::int64_t>& begin, base::Array<std::int64_t>& list, std::int64_t target,
                     std::int64_t source, bool counting) {
         if (counting)

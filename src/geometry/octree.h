@@ -19,7 +19,7 @@ public:
         std::int64_t end;
         std::int64_t first_child;         // children are consecutive; 0 in a leaf
         std::int64_t parent;              // the root is its own parent
-        std::array<std::int32_t, 3> cell; // in the level's grid
+        std::array<std::int32_t, 3> cell; // position in the grid of its level
         std::int32_t level;
         std::int32_t children;
 
@@ -34,7 +34,7 @@ public:
     static constexpr std::int32_t deepest_level = 20;
 
     [[nodiscard]] const VecArray& points() const noexcept { return points_; }
-    // Returns which of the given points is at position `at` of the tree's order.
+    // Returns the original index of the point at position `at` of the tree's order.
     [[nodiscard]] std::int64_t index(std::int64_t at) const noexcept { return index_[at]; }
 
     // Nodes are stored level by level, each level along a space-filling curve.
@@ -48,7 +48,7 @@ public:
         return 0.5 * width_ / static_cast<double>(1LL << level);
     }
     [[nodiscard]] glm::dvec3 centre(const Node& node) const noexcept;
-    // Returns which child of its parent the node is, as bits x, y, z.
+    // Returns the index of the node among the children of its parent, as bits x, y, z.
     [[nodiscard]] static int octant(const Node& node) noexcept {
         return (node.cell[0] & 1) | ((node.cell[1] & 1) << 1) | ((node.cell[2] & 1) << 2);
     }
@@ -60,7 +60,7 @@ private:
 
     VecArray points_;
     base::Array<std::int64_t> index_;
-    base::Array<std::uint64_t> key_; // Morton codes with deepest_level bits per axis
+    base::Array<std::uint64_t> key_; // Morton codes of the points, with deepest_level bits per axis
     base::Array<Node> nodes_;
     base::Array<std::int64_t> level_begin_;
     glm::dvec3 corner_{0.0};

@@ -15,12 +15,12 @@ PointGrid::PointGrid(const VecArray& points, double radius, const base::Progress
     Bounds box;
     for (std::int64_t i = 0; i < points.size(); ++i) box.extend(points[i]);
     if (points.empty()) box = {glm::dvec3(0.0), glm::dvec3(0.0)};
-    // Beyond 2^21 cells per axis all further points share the last cells, which is slow but right.
+    // There are at most 2^21 cells per axis. Points beyond them share the last cells, which is slow but correct.
     grid_ = {box.min, std::max(2.0 * radius, 1e-6 * box.diagonal())};
     const auto buckets =
         static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(std::max<std::int64_t>(points.size(), 1))));
     base::resize_long(begin_, buckets + 1, progress);
-    base::Array<std::uint64_t> cells(points.memory()); // in the order of the given points
+    base::Array<std::uint64_t> cells(points.memory()); // the cell of each given point
     cells.resize_for_overwrite(points.size());
     // The counting sort keeps the order of the points within a bucket.
     for (const std::int64_t i : progress.over(points.size())) {

@@ -15,9 +15,9 @@ public:
 
     [[nodiscard]] std::int64_t size() const noexcept { return index_.size(); }
     [[nodiscard]] std::int64_t bytes() const noexcept { return begin_.bytes() + index_.bytes() + cell_.bytes(); }
-    // Returns which of the given points is at position `at` of the grid's order.
+    // Returns the original index of the point at position `at` of the grid's order.
     [[nodiscard]] std::int64_t index(std::int64_t at) const noexcept { return index_[at]; }
-    // Returns the points' values in the grid's order, so that values that are visited together are close in memory.
+    // Returns `values` in the grid's order, so that values that are visited together are close in memory.
     [[nodiscard]] VecArray in_order(const VecArray& values, const base::Progress& progress = {}) const;
 
     // Calls visit(at) once for every point within the radius of p, and for some points farther away.
@@ -35,8 +35,9 @@ private:
     }
 
     double radius_;
-    CellGrid grid_;                   // cells are two radii wide, so a ball meets at most eight
-    base::Array<std::int64_t> begin_; // where each bucket begins in the order, and the end; a power of two plus 1
+    CellGrid grid_; // cells are two radii wide, so a ball meets at most eight
+    // Where each bucket begins in the order, and the end; the size is a power of two plus 1.
+    base::Array<std::int64_t> begin_;
     base::Array<std::int64_t> index_;
     base::Array<std::uint64_t> cell_; // the cell of each point in the order; needed because cells may share a bucket
 };

@@ -36,7 +36,7 @@ void PointTree::build(IndexedPoint* places, const Range& range, const base::Prog
     if (range.leaf()) return;
     const auto halve = [&](auto of) {
         constexpr glm::length_t axis = decltype(of)::value;
-        // Ties are broken by index, so that the halves are the same with any standard library.
+        // Ties are broken by index, so that any standard library makes the same halves.
         std::nth_element(places + range.begin, places + range.middle(), places + range.end,
                          [](const IndexedPoint& a, const IndexedPoint& b) {
                              const double x = a.point[axis];

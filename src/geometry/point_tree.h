@@ -22,7 +22,7 @@ public:
     [[nodiscard]] std::int64_t size() const noexcept { return points_.size(); }
     // The points in the tree's order, in which points that are near in space are near in memory.
     [[nodiscard]] const VecArray& points() const noexcept { return points_; }
-    // Returns which of the given points is at position `at` of the tree's order.
+    // Returns the original index of the point at position `at` of the tree's order.
     [[nodiscard]] std::int64_t index(std::int64_t at) const noexcept { return index_[at]; }
     [[nodiscard]] Bounds bounds() const noexcept { return size() > 0 ? bounds_[0] : Bounds{}; }
 
@@ -30,10 +30,10 @@ public:
     template <class Visit>
     void within(const glm::dvec3& p, double radius, Visit&& visit) const;
 
-    // Finds the nearest `count` points for which accept_point(at) is true, and writes their positions in the tree's
-    // order to `found`, nearest first (ties by position). Returns how many it found. accept_node(node) is called before
-    // the points of a node; it returns false if none of them would be accepted. Nodes beyond `farthest` are skipped; a
-    // point in another node may be found although it is beyond.
+    // Finds the nearest `count` points for which accept_point(at) is true. Writes their positions in the tree's order
+    // to `found`, nearest first (ties by position), and returns their number. accept_node(node) is called before the
+    // points of a node; it returns false if no point of the node would be accepted. Nodes farther away than `farthest`
+    // are skipped, but the result may contain points beyond `farthest` from other nodes.
     template <class AcceptNode, class AcceptPoint>
     std::int64_t nearest(const glm::dvec3& p, std::int64_t count, AcceptNode&& accept_node, AcceptPoint&& accept_point,
                          std::int64_t* found, double farthest = std::numeric_limits<double>::infinity()) const;
@@ -53,7 +53,7 @@ public:
         visit(range.node);
     }
 
-    // Returns the distance from the point at `at` to the nearest other one, or infinity if it is the only one.
+    // Returns the distance from the point at `at` to the nearest other point; infinity if there is no other point.
     [[nodiscard]] double nearest_other(std::int64_t at) const noexcept;
 
 private:
@@ -72,8 +72,8 @@ private:
     // The nearest points so far, in ascending order.
     class NearestList;
 
-    // A point while the tree is built. The points themselves are moved, and not only their numbers, so that points that
-    // are near in space become near in memory.
+    // A point while the tree is built. Points are moved with their indices, so that points that are near in space
+    // become near in memory.
     struct IndexedPoint {
         glm::dvec3 point;
         std::int64_t index;

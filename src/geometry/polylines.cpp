@@ -42,8 +42,8 @@ bool CurveFit::is_corner(std::int64_t before, std::int64_t i, std::int64_t after
     return glm::dot(a, b) < curve_fit_tuning.corner_cosine * std::sqrt(square(a) * square(b));
 }
 
-// Returns the direction at an end of the parabola through it and the second and fourth points from it. Where densify()
-// inserted one point per segment, these are the next two given points.
+// Returns the direction at an end of the line. It is the direction there of the parabola through the end and the second
+// and fourth points from it. If densify() inserted one point per segment, these are the next two given points.
 dvec2 CurveFit::direction_from(std::int64_t end, std::int64_t other) const noexcept {
     const std::int64_t step = other > end ? 2 : -2;
     if (std::abs(other - end) < 4) return unit_or_zero(points_[other > end ? end + 1 : end - 1] - points_[end]);
@@ -74,7 +74,7 @@ std::span<const Cubic> CurveFit::fit(std::span<const dvec2> points, double toler
     const std::int64_t last = count - 1;
     bool goes_round = closed && count > 3;
     if (goes_round) {
-        // A closed line begins at its corner if it has one.
+        // The index at which a closed line begins: its corner, if it has one.
         std::int64_t corner = 0;
         while (corner < last && !is_corner(corner > 0 ? corner - 1 : last - 1, corner, corner + 1)) ++corner;
         if (corner > 0 && corner < last) {

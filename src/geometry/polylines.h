@@ -100,8 +100,8 @@ struct Cubic {
 struct CurveFitTuning {
     // A line keeps a corner where it turns by more than the angle with this cosine, 40 degrees. Larger: more corners.
     double corner_cosine = 0.766;
-    // The curve parameters of the points are improved if the squared error is less than this times the squared
-    // tolerance. Else the run is halved at once. Larger: fewer curves, more time.
+    // The curve parameters of the points are improved if the squared error is below this factor times the squared
+    // tolerance. Otherwise the run is halved at once. Larger: fewer curves, more time.
     double near_enough_to_improve = 16.0;
     // A curve is improved at most this often before its run is halved. Larger: fewer curves, more time.
     int improvements = 4;
@@ -110,9 +110,9 @@ struct CurveFitTuning {
     double measured_share = 0.9;
     // Measured points are at most this many tolerances apart. Larger: fewer points are measured.
     double spacing = 16.0;
-    // At most this many points are measured between two given ones.
+    // At most this many additional points are measured between two given points.
     double most_between = 64.0;
-    // Runs that are nested more deeply than this are halved in the middle, so that the depth is bounded.
+    // A run that is nested more deeply than this is halved in the middle, so that the depth is bounded.
     int deepest = 24;
 };
 inline constexpr CurveFitTuning curve_fit_tuning;

@@ -8,7 +8,7 @@
 
 namespace hrbfnpr::geometry {
 
-// Returns the nearest point's share of the way from one end to the other, 0 to 1. It is 0 if both ends coincide.
+// Returns the position of the nearest point along the segment, from 0 to 1. It is 0 if both ends coincide.
 template <class V>
 [[nodiscard]] typename V::value_type nearest_parameter(const V& place, const V& from, const V& to) noexcept {
     using T = typename V::value_type;
@@ -19,7 +19,7 @@ template <class V>
 
 template <class V>
 [[nodiscard]] typename V::value_type squared_distance_to_segment(const V& place, const V& from, const V& to) noexcept {
-    // Taking the differences first keeps the numbers small.
+    // Computing the difference first keeps numbers small.
     const V off = (place - from) - nearest_parameter(place, from, to) * (to - from);
     return glm::dot(off, off);
 }

@@ -6,7 +6,8 @@
 namespace hrbfnpr::geometry {
 namespace {
 
-// Returns the axis of the smallest component in magnitude. Ties go to the first axis, so that the choice is stable.
+// Returns the axis along which n has the component of smallest magnitude. Ties go to the first axis, so that the choice
+// is stable.
 int smallest_axis(const glm::dvec3& n) noexcept {
     const glm::dvec3 a = glm::abs(n);
     if (a.x <= a.y && a.x <= a.z) return 0;
@@ -26,8 +27,8 @@ glm::dvec3 any_perpendicular(const glm::dvec3& n) noexcept {
 }
 
 TangentFrame stipple_frame(const glm::dvec3& n) noexcept {
-    // R turns by 90 degrees about this axis. The axis is off the coordinate axes to keep the two singular points away
-    // from the poles of symmetric models.
+    // R is the rotation by 90 degrees about this axis. The axis is not a coordinate axis, so that the two singular
+    // points are away from the poles of symmetric models.
     constexpr glm::dvec3 axis(0.36, 0.48, 0.80); // unit length
     const glm::dvec3 turned = glm::cross(axis, n) + axis * glm::dot(axis, n);
     const glm::dvec3 u = glm::cross(n, turned);

@@ -6,10 +6,11 @@
 
 namespace hrbfnpr::geometry {
 
-// Returns 1 for sizes whose squares and cubes a float can hold. For others it returns the power of two that is a half
-// to a quarter of `size`. Scaling by it is exact, so the scale of a model leaves no trace in its marks.
+// Returns 1 for sizes whose squares and cubes a float can hold. For other sizes it returns the power of two between a
+// quarter and a half of `size`. Scaling by a power of two is exact, so the scale of a model does not change its marks.
 [[nodiscard]] inline double unit_for(double size) noexcept {
-    constexpr int ordinary = 30; // powers of two: 1e-9 .. 1e9
+    // Sizes from 2^-30 to 2^30, about 1e-9 to 1e9, need no other unit.
+    constexpr int ordinary = 30;
     if (!(size > 0.0) || !std::isfinite(size)) return 1.0;
     const int power = std::ilogb(size);
     return power >= -ordinary && power <= ordinary ? 1.0 : std::ldexp(1.0, power - 1);
