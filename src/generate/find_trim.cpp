@@ -17,10 +17,10 @@ namespace {
 
 using geometry::CellGrid;
 
-constexpr double unused_tolerance = 1e-7; // the tolerance of projections; none are made here
+constexpr double unused_tolerance = 1e-7; // the tolerance of projections, which are not used here
 
-// The domain in which the first look follows the surface: it ends where surrounded samples support the surface, and
-// includes all places whose nearest sample is not surrounded.
+// The domain in which the first look follows the surface. It includes all places whose nearest sample is not
+// surrounded, and ends where surrounded samples support the surface.
 class UnsupportedDomain final : public implicit::Domain {
 public:
     UnsupportedDomain(const surface::Support& support, double limit) noexcept : support_(support), limit_(limit) {}
@@ -34,11 +34,11 @@ private:
     double limit_;
 };
 
-// A connected set of cells in which s exceeds the limit.
+// A connected set of cells in which s (surface/support.h) exceeds the limit.
 struct UnsupportedPart {
     double highest = 0.0;            // the highest s in its cells
     double farthest = 0.0;           // the largest distance of its places from the nearest sample
-    bool reaches_region_end = false; // it reaches the end of the region
+    bool reaches_region_end = false; // true if it reaches the end of the region
     bool left_out = false;
     std::int64_t cells = 0;
 };
@@ -51,12 +51,12 @@ struct FollowedSurface {
         : cells(std::move(found)), number(cells), part_of(cells.cell.memory(), cells.cell.size()),
           part(cells.cell.memory()) {}
 
-    // Returns the place on the surface next to a cell's centre.
+    // Returns the place on the surface that is nearest to the centre of a cell.
     [[nodiscard]] glm::dvec3 place(std::int64_t cell) const noexcept {
         return cells.centre(cell) - cells.cell[cell].distance * cells.cell[cell].normal;
     }
-    // Calls visit(cell, number) for a cell and the cells around it. The number is -1 if the surface does not pass
-    // through the cell.
+    // Calls visit(cell, number) for a cell and its neighbours. `number` is the cell's index, or -1 if the surface does
+    // not pass through it.
     template <class Visit>
     void for_neighbours(std::int64_t cell, Visit&& visit) const {
         const CellGrid::Cell at = geometry::morton_cell(cells.cell[cell].code);
@@ -72,12 +72,12 @@ struct FollowedSurface {
 
     stipples::SurfaceCells cells;
     stipples::CellMap number;
-    base::Array<std::int32_t> part_of; // the number of each cell's part, or `supported`
+    base::Array<std::int32_t> part_of; // for each cell, the index of its part, or `supported`
     base::Array<UnsupportedPart> part;
 };
 
-// Follows the surface from samples, finds its parts, and reports those left out. A wary look has fewer cells and lower
-// limits.
+// Follows the surface from samples, finds its parts, and reports the parts that are left out. A cautious look uses
+// fewer cells and lower limits.
 [[nodiscard]] FollowedSurface follow(const base::Work& work, const implicit::Implicit& implicit,
                                      const surface::Support& support, const TrimSettings& settings, bool wary,
                                      const geometry::VecArray& samples, TrimReport& report) {
@@ -91,7 +91,7 @@ struct FollowedSurface {
     FollowedSurface found(stipples::find_surface_cells(site.part(0.0, 0.6), samples, region, side));
     const stipples::SurfaceCells& cells = found.cells;
     const std::int64_t count = cells.cell.size();
-    base::Array<double> value(work.memory, count); // s at the place of the surface nearest to each cell's centre
+    base::Array<double> value(work.memory, count); // s at the surface near the centre of each cell
     constexpr std::int64_t cells_a_task = 256;
     work.for_chunks(count, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
@@ -124,8 +124,8 @@ struct FollowedSurface {
             });
         }
         part.cells = front.size();
-        // If samples are denser than the surface is accurate, there are no holes between them. Between curves, all
-        // surface that they bound stays, however far it is from them.
+        // If samples are denser than the surface is accurate, gaps between them are not holes. If samples lie along
+        // curves, the surface between the curves stays, however far from samples it is.
         const bool sure = settings.closest > 0.0 || part.highest >= share * generate_tuning.unsupported_limit;
         part.left_out =
             part.reaches_region_end || (!along_curves && sure && part.farthest > share * settings.hole * diagonal);
@@ -140,7 +140,7 @@ struct FollowedSurface {
     return found;
 }
 
-// Tells whether there may be something to leave out. If there is, a part of it begins where samples are not surrounded.
+// Returns whether a part of the surface may have to be left out. Such a part begins where samples are not surrounded.
 [[nodiscard]] bool may_end(const base::Work& work, const ImplicitFor& implicit_for, const surface::Support& support,
                            const TrimSettings& settings) {
     if (!(settings.off <= generate_tuning.on_surface * support.median_spacing())) return true;
@@ -176,8 +176,8 @@ FoundTrim find_trim(const base::Work& work, const ImplicitFor& implicit_for, con
     if (trim.report.share == 1.0)
         fail(Status::not_converged, "no part of the surface is near the samples; give more samples, or a larger limit");
     if (trim.report.parts == 0) return trim;
-    // The surface ends between a cell that is left out and one that is not. Cells around those left out also count as
-    // left out, except the cells of holes that stay closed. All other cells are kept.
+    // The surface ends between a cell that is left out and one that is kept. Neighbours of left-out cells also count as
+    // left out, except the cells of holes that stay closed.
     geometry::CellSet left_out(work.memory);
     for (std::int64_t i = 0; i < found.part_of.size(); ++i)
         if (found.is_left_out(i))

@@ -17,9 +17,10 @@
 namespace hrbfnpr::generate {
 
 struct TrimSettings {
-    double limit = 1.5;   // the surface ends where s (surface/support.h) is above this
-    double hole = 0.05;   // diagonals: holes whose points are all within this distance of a sample stay closed
-    double closest = 0.0; // diagonals: samples are treated as no closer to each other than this
+    double limit = 1.5; // in diagonals: a hole stays closed if all its points are within this distance of a sample
+    double hole = 0.05; // in diagonals: closer samples are treated as this far apart
+    // The largest distance of a sample from the surface, if the surface was fitted to these samples.
+    double closest = 0.0;
     // The largest distance of a sample from the surface, if the surface was fitted to the samples.
     double off = std::numeric_limits<double>::infinity();
 };
@@ -28,36 +29,37 @@ struct TrimReport {
     std::int64_t samples = 0;
     std::int64_t parts = 0;        // the number of connected parts that are left out
     std::int64_t parts_to_end = 0; // the number of connected left-out parts that reach the end of the search box
-    double share = 0.0;            // the share of the surface in the box that is left out
+    double share = 0.0;            // the left-out share of the surface in the box
     double farthest = 0.0;         // the largest distance of a left-out place from the nearest sample
     double spacing = 0.0;          // the median of the samples' spacings (h of surface/support.h)
 };
 
 struct FoundTrim {
-    std::unique_ptr<surface::SupportDomain> trim; // null: all of the surface stays
+    std::unique_ptr<surface::SupportDomain> trim; // null: the whole surface stays
     TrimReport report;
 };
 
-// Returns the implicit for an expected number of evaluations. A fast implicit may take some time to be made.
+// Returns the implicit function to use for an expected number of evaluations. It may take time to prepare a faster one.
 using ImplicitFor = std::function<const implicit::Implicit&(double evaluations, const base::Progress& progress)>;
 
-// Finds the parts of a surface to leave out. `position` and `normal` (unit) are those of the samples, one or more.
+// Finds the parts of a surface to leave out. `position` and `normal` (unit) are those of one or more samples.
 //
 // 1. If the samples are on the surface, a first look follows it only from samples that are not surrounded by others
-//    (surface/surrounded.h), and stops where surrounded samples support the surface. If this finds nothing to leave
-//    out, all of the surface stays.
-// 2. The surface is followed from all samples, on cells of half a spacing, within the box that marks may lie in.
+// (surface/surrounded.h). It stops where surrounded samples support the surface. If it finds nothing to leave out, the
+// whole surface stays.
+// 2. The surface is followed from all samples, on cells of half a spacing, within the box in which marks may lie.
 // 3. Connected cells where s exceeds the limit form parts. A part is left out if it reaches the end of the box, or if
-//    it is more than a hole between samples.
+// it is larger than a hole between samples.
 //
 // Throws Error{not_converged} if nothing would be left.
 [[nodiscard]] FoundTrim find_trim(const base::Work& work, const ImplicitFor& implicit_for,
                                   const geometry::VecArray& position, const geometry::VecArray& normal,
                                   const TrimSettings& settings);
 
-// Returns the box of a surface through samples at `position`. It is the implicit's own box, except for up to 20 000
-// samples along curves: between wires, and beyond the first and last of cross sections, their surface bulges out of
-// that box. If the surface closes within a third of a diagonal around the samples, the result is the box of both.
+// Returns the box of a surface through samples at `position`. It is the implicit function's box, except for up to 20
+// 000 samples along curves. Their surface bulges out of that box between wires, and beyond the first and last of
+// several cross sections. If the surface closes within a third of a diagonal around the samples, the result contains
+// that box and the closed surface.
 [[nodiscard]] geometry::Bounds closed_bounds(const base::Work& work, const implicit::Implicit& implicit,
                                              const geometry::VecArray& position);
 

@@ -28,10 +28,10 @@ namespace {
 
 // ---- The model's unit
 
-// A model, its samples and the lengths of the settings, in a unit of about the model's size, in which floats can hold
-// squares and cubes.
+// A model, its samples and the lengths of the settings in a unit of about the model's size, so that floats can hold
+// squares and cubes of lengths.
 struct ScaledInput {
-    // The settings have passed check_request(). All arguments must outlive this object.
+    // The settings must have passed check_request(). All arguments must outlive this object.
     ScaledInput(const base::Work& work, const implicit::Implicit& implicit, const SampleHint& given_samples,
                 const Settings& given)
         : work_of_all(work), unscaled(implicit), unit(geometry::unit_for(implicit.diagonal())),
@@ -59,13 +59,13 @@ struct ScaledInput {
     base::Work work_of_all;
     const implicit::Implicit& unscaled;
     double unit;
-    std::optional<implicit::Scaled> scaled; // empty if the unit is the caller's
+    std::optional<implicit::Scaled> scaled; // empty if the unit is the caller's unit
     base::Array<double> sample_position, seed_position;
     SampleHint samples;
     Settings settings;
 };
 
-// Scales the lengths of a finished set to the caller's unit. Throws Error{invalid_argument} for lengths that a float
+// Converts the lengths of a finished set to the caller's unit. Throws Error{invalid_argument} for lengths that a float
 // cannot hold.
 void to_callers_unit(marks::PointSet& set, double unit) {
     if (unit == 1.0) return;
@@ -77,7 +77,7 @@ void to_callers_unit(marks::PointSet& set, double unit) {
     constexpr double largest = std::numeric_limits<float>::max();
     for (marks::Layer& layer : set.layers) {
         for (float& number : layer.position) number = static_cast<float>(unit * double{number});
-        for (std::int64_t i = 0; i < layer.curvature.size(); ++i) { // k1 and k2, not the confidence
+        for (std::int64_t i = 0; i < layer.curvature.size(); ++i) { // the third number, the confidence, is not scaled
             float& k = layer.curvature[i];
             if (i % 3 != 2) k = static_cast<float>(std::clamp((1.0 / unit) * double{k}, -largest, largest));
         }
@@ -95,7 +95,7 @@ void check_length(const char* field, double length, double diagonal) {
 
 // ---- Layers
 
-// The data from which all layers grow.
+// The inputs that all layers have in common.
 struct GenerateInput {
     const marks::Site& site;
     const SampleHint& samples;
@@ -110,8 +110,8 @@ struct GrowingLayer {
         : settings(its), place(number), site(all), marks(all.memory()) {
         site.random_seed = marks::layer_seed(all.random_seed, its.kind, number_of_kind);
     }
-    // Returns the site with the layer's part of the progress. Seeds take the first tenth, and assembling takes the last
-    // part. The layers share the rest.
+    // Returns the site with the layer's share of the progress. Seeds take the first tenth of the whole progress,
+    // assembling takes the last part, and the layers share the rest.
     [[nodiscard]] marks::Site part_of(const GenerateInput& input) const noexcept {
         const double each = 0.75 / static_cast<double>(input.settings.layers.size());
         const double first = 0.2 + each * static_cast<double>(place);
@@ -119,8 +119,8 @@ struct GrowingLayer {
     }
 
     const LayerSettings& settings;
-    std::int64_t place; // the layer's place in the list
-    marks::Site site;   // the site, with the layer's own random seed
+    std::int64_t place; // the layer's index in the list of layers
+    marks::Site site;   // the site, with the random seed of the layer
     marks::Marks marks;
 };
 
@@ -191,7 +191,7 @@ void grow_published(const GenerateInput& input, base::List<GrowingLayer>& growin
 
 // ---- BLUE_NOISE
 
-// Makes even stipples. Returns the area of the surface.
+// Makes even stipples for all layers of stipples. Returns the area of the surface.
 double spread_stipples(const GenerateInput& input, const stipples::SurfaceCells& cells, GrowingLayer& layer,
                        marks::LayerReport& report) {
     const base::Stopwatch watch;
@@ -215,13 +215,13 @@ double spread_stipples(const GenerateInput& input, const stipples::SurfaceCells&
     return even.area;
 }
 
-// Lays the lines of a layer of hatching. Layers that differ only in their angles share the samples on which lines are
-// laid, in `last`. The samples do not depend on the other layers, because they have their own cells. Returns the area
-// of the surface.
+// Places the lines of a layer of hatching. Layers that differ only in their angles share the samples on which lines are
+// placed, through `last`. The samples do not depend on the other layers, because they have separate cells. Returns the
+// area of the surface.
 double place_hatching(const GenerateInput& input, GrowingLayer& layer, std::optional<hatching::HatchingField>& last,
                       marks::LayerReport& report) {
     const base::Stopwatch watch;
-    // The layer uses the random numbers of all layers, not its own.
+    // The samples use the random seed of the whole set, not the layer's.
     const marks::Site site = input.site.with(layer.part_of(input).work);
     hatching::Settings settings = layer.settings.hatching;
     settings.layer = layer.place;
@@ -282,7 +282,7 @@ void require_marks(base::List<GrowingLayer>& growing, marks::PointSet& set) {
          static_cast<long long>(all.dropped_strayed), static_cast<long long>(all.dropped_degenerate));
 }
 
-// `area` is the area of the surface; 0: unknown.
+// Assembles the layers into the set. `area` is the area of the surface; 0: unknown.
 void assemble_layers(const marks::Site& site, base::List<GrowingLayer>& growing, double area, marks::PointSet& set) {
     base::Array<const geometry::VecArray*> positions(site.memory());
     for (const GrowingLayer& layer : growing) positions.push_back(&layer.marks.position);
@@ -302,7 +302,7 @@ void assemble_layers(const marks::Site& site, base::List<GrowingLayer>& growing,
         settings.with_curvature = !layer.marks.curvature.empty() || layer.settings.with_curvature;
         settings.part = layer.settings.part;
         marks::assemble(layer.site.part(0.95, 1.0), layer.marks, settings, set.origin, to);
-        layer.marks = marks::Marks(site.memory()); // frees the memory of the doubles
+        layer.marks = marks::Marks(site.memory()); // free the memory of the marks in double precision
     }
 }
 
@@ -391,7 +391,7 @@ double step_patches(const base::Work& work, const implicit::Implicit& implicit, 
     const ScaledInput scaled_input(work, implicit, samples, settings);
     const marks::Site site = scaled_input.site();
     const marks::Seeds seeds = make_seeds(site, scaled_input.samples, scaled_input.settings);
-    // Sorts the seeds in a random order. Patches are placed at different seeds as long as there are enough.
+    // Puts the seeds into a random order, so that patches are at different seeds as long as there are enough seeds.
     struct Ticket {
         std::uint64_t number;
         std::int64_t seed;
@@ -406,11 +406,11 @@ double step_patches(const base::Work& work, const implicit::Implicit& implicit, 
         order[i] = {static_cast<std::uint64_t>(bits[0]) << 32U | bits[1], i};
     }
     std::sort(order.begin(), order.end());
-    work.update(1.0); // the last chance to cancel before output is written
+    work.update(1.0); // the last place where the call can be cancelled, before output is written
     for (std::int64_t patch = 0; patch < corners.count; ++patch) {
         const std::int64_t seed = order[patch % order.size()].seed;
         const geometry::TangentFrame frame = geometry::stipple_frame(seeds.normal[seed]);
-        // u x r = n, so the corners are counter-clockwise as seen from outside.
+        // u x r = n, so the corners are counter-clockwise when seen from outside.
         constexpr std::array<std::array<double, 2>, 4> sides = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
         std::uint32_t component = 0;
         for (const auto& [along_u, along_r] : sides) {

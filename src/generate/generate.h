@@ -12,12 +12,12 @@
 
 namespace hrbfnpr::generate {
 
-// Refuses, before any work, sizes that floats cannot hold, and lengths that make no sense for the model's size.
-// generate() and step_patches() call it themselves.
+// Checks sizes and lengths before any work. Throws if floats cannot hold a size, or if a length makes no sense for the
+// model's size. generate() and step_patches() call it, too.
 void check_request(const implicit::Implicit& implicit, const Settings& settings);
 
-// Finds the seeds from which marks start. Throws not_converged if none reaches the surface. The settings must be
-// completed().
+// Finds the seeds from which marks start. Throws Error{not_converged} if no seed reaches the surface. `settings` must
+// come from completed().
 [[nodiscard]] marks::Seeds make_seeds(const marks::Site& site, const SampleHint& samples, const Settings& settings);
 
 // Makes a set that is ready for frames, in the model's unit:
@@ -30,11 +30,12 @@ void check_request(const implicit::Implicit& implicit, const Settings& settings)
 [[nodiscard]] marks::PointSet generate(const base::Work& work, const implicit::Implicit& implicit,
                                        const SampleHint& samples, const Settings& given);
 
-// Returns roughly how many evaluations of the implicit the completed() settings take.
+// Returns roughly how many evaluations of the implicit function generate() needs. `settings` must come from
+// completed().
 [[nodiscard]] double expected_evaluations(const SampleHint& samples, const Settings& settings) noexcept;
 
-// Fills in the squares of Figure 5: `corners.count` squares of side 2 rho_0 in the tangent planes of random seeds, 12
-// numbers each. Returns rho_0.
+// Writes the squares of [NPAR Figure 5]: `corners.count` squares with sides of 2 rho_0 in the tangent planes of random
+// seeds, 12 numbers each. Returns rho_0.
 double step_patches(const base::Work& work, const implicit::Implicit& implicit, const SampleHint& samples,
                     const Settings& given, const base::OutView& corners);
 

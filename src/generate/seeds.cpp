@@ -13,7 +13,7 @@
 namespace hrbfnpr::generate {
 namespace {
 
-// Projects starting points, a chunk at a time. Points that land within `stray_limit` of their start become seeds.
+// Projects starting points, chunk by chunk. A point becomes a seed if it lands within `stray_limit` of its start.
 void settle_seeds(const marks::Site& site, const geometry::VecArray& start, double stray_limit, marks::Seeds& seeds) {
     HRBFNPR_ASSERT(stray_limit > 0.0);
     marks::MarkProjector projector(site);
@@ -31,8 +31,8 @@ void settle_seeds(const marks::Site& site, const geometry::VecArray& start, doub
     }
 }
 
-// Returns a random vector of length up to `longest`, uniform in that ball: a random direction (Archimedes' cylinder)
-// times the cube root of a random share of the volume.
+// Returns a random vector that is uniformly distributed in a ball of radius `longest`: a random direction (by
+// Archimedes' cylinder) times the cube root of a random share of the volume.
 glm::dvec3 in_ball(const std::array<double, 4>& u, double longest) noexcept {
     const double z = 2.0 * u[0] - 1.0;
     const double angle = 2.0 * 3.14159265358979323846 * u[1];
@@ -40,8 +40,8 @@ glm::dvec3 in_ball(const std::array<double, 4>& u, double longest) noexcept {
     return longest * std::cbrt(u[2]) * glm::dvec3(flat * std::cos(angle), flat * std::sin(angle), z);
 }
 
-// Starts at a jittered grid in the box. A box of no thickness (coplanar samples, a single sample) still gets one layer
-// of cells.
+// Makes seeds from a jittered grid in the box. A flat box (coplanar samples, or a single sample) gets one layer of
+// cells.
 void seeds_in_box(const marks::Site& site, const Settings& settings, std::int32_t resolution, marks::Seeds& seeds) {
     HRBFNPR_ASSERT(resolution > 0);
     const geometry::Bounds& bounds = site.implicit.bounds();
@@ -51,7 +51,7 @@ void seeds_in_box(const marks::Site& site, const Settings& settings, std::int32_
     std::array<std::int64_t, 3> cells{};
     glm::dvec3 covered;
     for (int axis = 0; axis < 3; ++axis) {
-        // If a side is a whole number of cells except for rounding, that whole number is used.
+        // If a side is a whole number of cells up to rounding, that whole number is used.
         std::int64_t& number = cells[static_cast<std::size_t>(axis)];
         number = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(size[axis] / side - 1e-9)));
         covered[axis] = side * static_cast<double>(number);
@@ -65,14 +65,14 @@ void seeds_in_box(const marks::Site& site, const Settings& settings, std::int32_
         const auto random = base::uniform4(site.random_seed, static_cast<std::uint64_t>(i), base::Purpose::box_jitter);
         start.push_back(corner + side * (cell + 0.5) + in_ball(random, settings.seeds.box_jitter * side));
     }
-    seeds.step = std::sqrt(3.0) * side; // "the voxel diameter"
+    seeds.step = std::sqrt(3.0) * side; // the article's "voxel diameter"
     settle_seeds(site, start, seeds.step, seeds);
 }
 
-// Makes seeds of samples or given points. They lie on or near the surface, but a smoothed fit may be off the samples,
-// so they are projected like all others, with the model's diagonal as the limit. The step is the average empty-ball
-// diameter: the largest ball that holds no seed inside and has a seed and its nearest neighbour as the ends of a
-// diameter is as wide as their distance. So the step is the mean of these distances.
+// Makes seeds from samples or from given points. They are on or near the surface; a smoothed fit may not pass through
+// its samples. So they are projected like all seeds, with the model's diagonal as the limit. The step is the average
+// diameter of empty balls: the largest ball that has a seed and its nearest neighbour at the ends of a diameter, and no
+// seed inside, is as wide as the distance between the two. So the step is the mean distance to the nearest neighbour.
 void seeds_at(const marks::Site& site, const geometry::VecArray& start, marks::Seeds& seeds) {
     settle_seeds(site.part(0.0, 0.9), start, site.implicit.diagonal(), seeds);
     const double mean = marks::neighbour_distances(site.work.part(0.9, 1.0), seeds.position).mean;
@@ -109,7 +109,7 @@ void seeds_at(const marks::Site& site, const geometry::VecArray& start, marks::S
 [[nodiscard]] marks::SeedSource choose(const marks::Site& site, const SampleHint& samples, const Settings& settings) {
     if (settings.seeds.source != marks::SeedSource::automatic) return settings.seeds.source;
     if (samples.position.empty()) return marks::SeedSource::box;
-    // The blue-noise order only needs a seed on each sheet. The spread of the seeds does not matter.
+    // BLUE_NOISE needs only one seed on each sheet of the surface. How the seeds are spread does not matter.
     if (settings.distribution == marks::Distribution::blue_noise) return marks::SeedSource::samples;
     const auto distances = marks::neighbour_distances(site.work, sample_points(site, samples));
     return distances.variation < generate_tuning.well_spread_variation ? marks::SeedSource::samples

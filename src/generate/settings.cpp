@@ -17,7 +17,7 @@ std::size_t directions_of(const Settings& settings, const LayerSettings& layer) 
     return layer.has_strokes() && settings.distribution == marks::Distribution::published ? 2 : 1;
 }
 
-// Gives layers without a tone range all tones, or an equal share in turn with all others.
+// Sets missing tone ranges: to all tones, or, if layers appear in turn, to an equal share for each layer.
 void fill_parts(Settings& settings) {
     HRBFNPR_ASSERT(!settings.layers.empty());
     double all = 0.0;
@@ -42,7 +42,7 @@ double tones_of(const Settings& settings, const LayerSettings& layer) noexcept {
     return length;
 }
 
-// Shares the budget among the layers in proportion to the lengths of their tone ranges.
+// Divides the budget among the layers in proportion to the lengths of their tone ranges.
 void share_budget(Settings& settings) {
     if (settings.shared_budget == 0) return;
     double all = 0.0;

@@ -21,8 +21,8 @@ struct LayerSettings {
     marks::Kind kind = marks::Kind::stipples;
     marks::LayerName name{}; // empty: the default name of its kind
     std::int64_t budget = default_budget;
-    bool with_curvature = false; // fill Layer::curvature
-    // The length over which normals for tone are averaged, in diagonals; -1: completed() chooses.
+    bool with_curvature = false; // whether Layer::curvature is filled
+    // The length over which normals for tone are averaged, in diagonals. -1: completed() chooses it.
     double tone_smoothing = -1.0;
     // The tone range of each of the two directions. If both are 0, Settings::tone_ranges decides.
     std::array<marks::TonePart, 2> part{marks::TonePart{0.0, 0.0}, marks::TonePart{0.0, 0.0}};
@@ -44,22 +44,23 @@ struct SeedSettings {
 // The values equal those of hrbfnpr_generate_desc.tone_ranges.
 enum class ToneRanges : std::uint32_t { full = 0, in_turn = 1 };
 
-// The boundary checks the values. The defaults are those of hrbfnpr_generate_desc.
+// All settings. The API boundary checks the values. The defaults equal those of hrbfnpr_generate_desc.
 struct Settings {
     marks::Distribution distribution = marks::Distribution::blue_noise;
     double projection_tolerance = 1e-7;
     std::uint64_t random_seed = 1;
     SeedSettings seeds;
-    std::vector<LayerSettings> layers; // empty: one layer of stipples
+    std::vector<LayerSettings> layers; // if empty, there is one layer of stipples
     std::int64_t shared_budget = 0;
     ToneRanges tone_ranges = ToneRanges::full;
 };
 
-// Fills in the settings that the caller left open: layers, levels, tone ranges, and the budget of each layer. Throws
-// Error{invalid_argument} for settings by which no model can be drawn.
+// Returns the settings with values for everything that the caller left open: layers, levels, tone ranges, and the
+// budget of each layer. Throws Error{invalid_argument} for settings that are wrong for every model.
 [[nodiscard]] Settings completed(Settings settings);
 
-// The samples to which the implicit was fitted: 3n packed coordinates on the surface, empty for a custom implicit.
+// The samples to which the model was fitted: 3n packed coordinates on the surface. Empty if the model is a function of
+// the caller.
 struct SampleHint {
     std::span<const double> position;
     double spacing = 0.0;
