@@ -15,42 +15,42 @@ constexpr std::int64_t batch_size = implicit::batch_size;
 constexpr auto lanes = static_cast<std::size_t>(batch_size);
 using Column = std::array<double, lanes>;
 
-// A step may change f by L times its length times this, because of rounding.
+// A step changes f by at most L times its length. This factor allows for rounding.
 constexpr double slack = 1.0 + 1e-9;
 
 // A ray inside the search region. s is the distance from the start of the search.
 //
-// Marching: there is no root within |f| / L of a point, so that is the step [Hart 1996]. It is at least a smallest
-// step, so that the march ends. A longer step that changes f by more than L times its length shows that L is too small
-// there. The step is then undone, and L is raised for that ray. So if L is right, f changes its sign only in smallest
+// Marching: there is no root within |f| / L of a point, so the step has this length [Hart 1996]. It has at least the
+// smallest length, so that the march ends. If a longer step changes f by more than L times its length, L is too small
+// there: the step is undone, and L is raised for this ray. So if L is correct, f changes its sign only in smallest
 // steps, whose ends bracket a root.
 //
-// Refining: Newton's method along the ray from the secant's root. A step that leaves the bracket, or is more than half
-// as long as the step before it, is replaced by bisection.
+// Refining: Newton's method along the ray, from the secant's root. A step is replaced by bisection if it leaves the
+// bracket or is more than half as long as the previous step.
 struct Ray {
     enum class Phase : std::uint8_t { march, refine, done };
 
     glm::dvec3 start{0.0};     // start of the search
-    glm::dvec3 direction{0.0}; // unit
-    double length = 1.0;       // length of the caller's direction
-    double offset = 0.0;       // distance from the caller's origin to the start
+    glm::dvec3 direction{0.0}; // unit vector
+    double length = 1.0;       // length of the direction vector as given by the caller
+    double offset = 0.0;       // distance from the origin as given by the caller to the start
     double end = 0.0;          // s at the end of the search
     double lipschitz = 0.0;
-    double at = 0.0;    // s up to which the search is complete
-    double value = 0.0; // f at `at`
-    double trial = 0.0; // s of the next evaluation
-    double low = 0.0;   // the bracket of a root [low, high], and the last change of s in it
+    double at = 0.0;    // the value of s up to which the search is complete
+    double value = 0.0; // f at s = `at`
+    double trial = 0.0; // the value of s for the next evaluation
+    double low = 0.0;   // The bracket [low, high] of a root, and the last change of s within it.
     double high = 0.0;
     double change = 0.0;
-    double far_end = 0.0; // s and f of the bracket's far end as found, from which the march goes on
+    double far_end = 0.0; // s and f at the far end of the original bracket, where the march continues
     double far_end_value = 0.0;
     std::int32_t evaluations = 0;
     std::int32_t hits = 0;
-    bool inside = false; // f < 0 at `at`
+    bool inside = false; // whether f < 0 at s = `at`
     Phase phase = Phase::march;
 };
 
-// Clips [from, to] along the unit direction to the region.  Returns whether anything is left.
+// Clips the range [from, to] along the unit direction to the region. Returns whether a part remains.
 bool clip(const geometry::Bounds& region, const glm::dvec3& origin, const glm::dvec3& direction, double& from,
           double& to) noexcept {
     for (int axis = 0; axis < 3; ++axis) {
@@ -99,7 +99,7 @@ private:
     std::int64_t begin_ = 0;
 
     std::array<Ray, lanes> rays_;
-    // The indices of the unfinished rays, and of those that are evaluated now.
+    // The indices of the unfinished rays, and of the rays that are being evaluated.
     std::array<std::size_t, lanes> active_, packed_;
     std::size_t active_count_ = 0, packed_count_ = 0;
     Column x_, y_, z_, f_, gx_, gy_, gz_;
@@ -108,7 +108,7 @@ private:
 Ray RayBatch::start(const glm::dvec3& origin, const glm::dvec3& direction) const noexcept {
     Ray ray;
     const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
-    const glm::dvec3 scaled = direction / largest; // its square neither overflows nor underflows
+    const glm::dvec3 scaled = direction / largest; // scaled so that its square neither overflows nor underflows
     ray.length = largest * glm::length(scaled);
     ray.direction = scaled / glm::length(scaled);
     const double last = settings_.t_max * ray.length;
@@ -116,7 +116,8 @@ Ray RayBatch::start(const glm::dvec3& origin, const glm::dvec3& direction) const
     double to = last;
     ray.offset = settings_.t_min * ray.length;
     bool meets = clip(region_, origin, ray.direction, ray.offset, to);
-    // From a far origin, rounding could carry the ray to where f need not be defined. So it is clipped again from here.
+    // If the origin is far away, rounding could put the start outside the region, where f need not be defined. So the
+    // start is clamped.
     ray.start = glm::clamp(origin + ray.offset * ray.direction, region_.min, region_.max);
     ray.end = last - ray.offset;
     meets = meets && clip(region_, ray.start, ray.direction, from, ray.end);
@@ -131,7 +132,7 @@ void RayBatch::end_with(std::size_t i, RayStatus status) noexcept {
     hits_.status[begin_ + static_cast<std::int64_t>(i)] = status;
 }
 
-// Counts an evaluation.  Returns whether its result can be used.
+// Counts an evaluation. Returns whether its result can be used.
 bool RayBatch::count_evaluation(std::size_t i, bool finite) noexcept {
     ++rays_[i].evaluations;
     if (!finite) end_with(i, RayStatus::not_finite);
@@ -155,7 +156,7 @@ void RayBatch::take_step(std::size_t i, double f) noexcept {
     march_on(i, ray.trial, f);
 }
 
-// Ends the ray, or chooses the next step. The search is complete up to `at`, where f is known.
+// Ends the ray or chooses the next step. The search is complete up to s = `at`, where f has the given value.
 void RayBatch::march_on(std::size_t i, double at, double f) noexcept {
     Ray& ray = rays_[i];
     ray.at = at;
@@ -167,7 +168,7 @@ void RayBatch::march_on(std::size_t i, double at, double f) noexcept {
     ray.phase = Ray::Phase::march;
 }
 
-// Starts to refine a root: f changes its sign between `at` and the trial.
+// Starts to refine a root, because f changes its sign between `at` and `trial`.
 void RayBatch::bracket(std::size_t i, double f) noexcept {
     Ray& ray = rays_[i];
     if (ray.hits == settings_.maximum_hits) return end_with(i, RayStatus::truncated);
@@ -199,7 +200,7 @@ void RayBatch::take_root(std::size_t i, double f, const glm::dvec3& g) {
 
 void RayBatch::hit(std::size_t i, double s, const glm::dvec3& g) {
     Ray& ray = rays_[i];
-    if (!implicit_.contains(ray.start + s * ray.direction, g)) { // f changes its sign, but the surface is trimmed here
+    if (!implicit_.contains(ray.start + s * ray.direction, g)) { // f changes its sign, but the surface was trimmed here
         ray.inside = !ray.inside;
         return march_on(i, ray.far_end, ray.far_end_value);
     }
@@ -214,7 +215,7 @@ void RayBatch::hit(std::size_t i, double s, const glm::dvec3& g) {
     march_on(i, ray.far_end, ray.far_end_value);
 }
 
-// Collects the active rays of a phase, and the points of their trials.
+// Collects the active rays of a phase and the points to evaluate for them.
 void RayBatch::pack(Ray::Phase phase) noexcept {
     packed_count_ = 0;
     for (std::size_t k = 0; k < active_count_; ++k) {
@@ -261,7 +262,7 @@ void RayBatch::run(const Rays& rays, std::int64_t begin, std::int64_t end, const
         const std::int64_t at = begin + static_cast<std::int64_t>(i);
         rays_[i] = start(rays.origin[at], rays.direction[at]);
         if (rays_[i].phase == Ray::Phase::done)
-            end_with(i, RayStatus::miss); // outside the region
+            end_with(i, RayStatus::miss); // the ray is outside the region
         else
             active_[active_count_++] = i;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the sheet of an implicit that each point is on, so that nothing is averaged across a crease.
+// Finds the sheet of each point, so that no quantity is averaged across a crease.
 #pragma once
 
 #include "base/operation.h"
@@ -9,14 +9,14 @@
 
 namespace hrbfnpr::surface {
 
-// Returns the sheet of each point, or nothing if the implicit is smooth.
+// Returns the sheet of each point; an empty array if the implicit function is smooth.
 [[nodiscard]] base::Array<std::int32_t> sheets_at(const base::Work& work, const implicit::Implicit& implicit,
                                                   const geometry::VecArray& points);
 
-// Sheets that meet at a smaller angle than 15 degrees, which has this cosine, count as one surface.
+// The cosine of 15 degrees. Sheets that meet at a smaller angle count as one surface.
 inline constexpr double smooth_cosine = 0.9659;
 
-// Tells whether a crease is between two points, by their sheets and unit normals.
+// Returns whether there is a crease between two points, given their sheets and unit normals.
 [[nodiscard]] inline bool is_creased(std::int32_t sheet, std::int32_t other, const glm::dvec3& normal,
                                      const glm::dvec3& other_normal) noexcept {
     return sheet != other && glm::dot(normal, other_normal) < smooth_cosine;

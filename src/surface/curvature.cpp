@@ -14,12 +14,12 @@
 namespace hrbfnpr::surface {
 namespace {
 
-// Below this confidence the principal directions blend smoothly into the combing field, since at an umbilic they are
-// noise.
+// If the confidence is below this, principal directions are blended smoothly with the combing field, because they are
+// noise at an umbilic.
 constexpr double sure = 0.02;
 
 struct Symmetric3 {
-    const std::array<double, 6>& h; // xx xy xz yy yz zz
+    const std::array<double, 6>& h; // in the order xx xy xz yy yz zz
 
     [[nodiscard]] glm::dvec3 times(const glm::dvec3& v) const noexcept {
         return {h[0] * v.x + h[1] * v.y + h[2] * v.z, h[1] * v.x + h[3] * v.y + h[4] * v.z,
@@ -27,8 +27,8 @@ struct Symmetric3 {
     }
 };
 
-// Returns the first direction in the combing frame, in which the combing field has the angle 0. Directions have no
-// sign, so they are averaged as vectors of twice their angle.
+// Returns the first direction in the combing frame, where the combing field has angle 0. Directions have no sign, so
+// the average uses unit vectors of twice their angles.
 glm::dvec2 blended(double cosine, double sine, double confidence) noexcept {
     if (confidence >= sure) return {cosine, sine};
     const double weight = glm::smoothstep(0.0, 1.0, confidence / sure);
@@ -77,7 +77,8 @@ void principal_curvatures(const base::Work& work, const implicit::Implicit& impl
     const std::int64_t count = points.size();
     const double diagonal = implicit.diagonal();
     base::Array<double> columns(work.memory);
-    base::resize_long(columns, 9 * count, work); // otherwise each batch would touch new memory in all columns
+    // Touch memory now; otherwise each batch would touch new memory in all columns.
+    base::resize_long(columns, 9 * count, work);
     implicit::FieldBatch fields;
     for (std::int64_t k = 0; k < 3; ++k) fields.gradient[static_cast<std::size_t>(k)] = columns.data() + k * count;
     for (std::int64_t k = 0; k < 6; ++k) fields.hessian[static_cast<std::size_t>(k)] = columns.data() + (3 + k) * count;

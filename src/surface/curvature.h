@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Principal curvatures and directions from gradient and Hessian.   [NPAR 5.3; Kindlmann 2003]
+// Principal curvatures and directions, computed from gradient and Hessian. [NPAR 5.3; Kindlmann 2003]
 #pragma once
 
 #include "base/operation.h"
@@ -21,8 +21,8 @@ struct Eigen2 {
     double sine;
 };
 
-// The difference of the eigenvalues is exact to rounding even where they nearly agree, since it is never the difference
-// of two large squares.
+// The difference of the eigenvalues is accurate even if they are almost equal, because it is not computed as the
+// difference of two large squares.
 [[nodiscard]] inline Eigen2 symmetric_eigen2(double a, double b, double c) noexcept {
     const double mean = 0.5 * (a + c);
     const double half_difference = 0.5 * std::hypot(a - c, 2.0 * b);
@@ -30,7 +30,7 @@ struct Eigen2 {
     return {mean + half_difference, mean - half_difference, std::cos(angle), std::sin(angle)};
 }
 
-// See hrbfnpr_model_curvature for signs, order and the confidence.
+// hrbfnpr_model_curvature documents signs, order and confidence.
 struct Curvature {
     double k1 = 0.0;
     double k2 = 0.0;
@@ -39,11 +39,12 @@ struct Curvature {
     glm::dvec3 d2{0.0};
 };
 
-// `hessian` holds xx xy xz yy yz zz. `diagonal` sets the curvature below which a surface counts as flat.
+// `hessian` is in the order xx xy xz yy yz zz. A surface counts as flat if its curvature is small compared with 1 /
+// `diagonal`.
 [[nodiscard]] Curvature principal_curvature(const glm::dvec3& gradient, const std::array<double, 6>& hessian,
                                             double diagonal) noexcept;
 
-// Computes the curvatures at all points on all threads, and resizes `result`.
+// Computes the curvatures at all points on all threads. Resizes `result`.
 void principal_curvatures(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& points,
                           base::Array<Curvature>& result);
 

@@ -16,21 +16,22 @@ namespace {
 constexpr std::int64_t projected_at_once = implicit::batch_size;
 using Column = std::array<double, static_cast<std::size_t>(projected_at_once)>;
 
-// Below this share of the Newton step a trial moves a point no more than rounding does.
+// If a trial is less than this share of the Newton step, it moves a point no more than rounding.
 constexpr double smallest_share = 1e-14;
 
 // Steepest descent on phi = f^2, whose gradient is 2 f g with g = grad f:
 //
-//   x_new = x - t grad phi = x - t 2 f g.
+// x_new = x - t grad phi = x - t 2 f g.
 //
-// Newton's step on f along g ends at x - f g / |g|^2, that is t0 = 1 / (2 |g|^2); trials are
-// t = s t0 with s = 1, b, b^2, ... (b = armijo_factor).  Armijo's rule takes the first with
+// Newton's step on f along g ends at x - f g / |g|^2, so its t is t0 = 1 / (2 |g|^2). Trials are t = s t0 with s = 1,
+// b, b^2 and so on, where b = armijo_factor.
 //
-//   phi(x_new) <= phi(x) - sigma t |grad phi|^2
-//               = f^2 - sigma (s / (2 |g|^2)) 4 f^2 |g|^2 = f^2 (1 - 2 sigma s).
+// Armijo's rule accepts the first trial with
+//
+// phi(x_new) <= phi(x) - sigma t |grad phi|^2 = f^2 - sigma (s / (2 |g|^2)) 4 f^2 |g|^2 = f^2 (1 - 2 sigma s).
 class ProjectedBatch {
 public:
-    // `order` is the order in which the points are processed. Null: the order in which they are given.
+    // `order` is the order in which points are processed. Null: the given order.
     ProjectedBatch(const implicit::Implicit& implicit, const ProjectionSettings& settings,
                    const std::int32_t* order) noexcept
         : implicit_(implicit), settings_(settings), order_(order), diagonal_(implicit.diagonal()),
@@ -49,12 +50,13 @@ private:
         const std::int64_t at = begin_ + static_cast<std::int64_t>(i);
         return order_ != nullptr ? order_[at] : at;
     }
-    // A gradient that is too long counts as infinite.
+    // Returns whether f and its gradient can be used. A gradient that is too long counts as infinite.
     [[nodiscard]] static bool finite(double f, const glm::dvec3& g) noexcept {
         const double slope = glm::length(g);
         return std::isfinite(f) && (is_usable_slope(slope) || slope < 1.0);
     }
-    // Tests Armijo's rule, f^2 <= v^2 part. It tests the ratio where a square would overflow or underflow.
+    // Returns whether Armijo's rule f^2 <= v^2 part holds. It compares ratios where a square would overflow or
+    // underflow.
     [[nodiscard]] static bool satisfies_armijo(double f, double v, double part) noexcept {
         const double square = v * v;
         if (square >= 1e-280 && square <= 1e280) return f * f <= square * part;
@@ -68,7 +70,7 @@ private:
     glm::dvec3 centre_;
     std::int64_t begin_ = 0;
 
-    // The iterate of each point of the batch.
+    // The current iterate of each point of the batch.
     std::array<glm::dvec3, static_cast<std::size_t>(projected_at_once)> position_;
     std::array<glm::dvec3, static_cast<std::size_t>(projected_at_once)> gradient_;
     std::array<glm::dvec3, static_cast<std::size_t>(projected_at_once)> trial_;
@@ -89,7 +91,7 @@ void ProjectedBatch::end_with(Projection& points, std::size_t i, ProjectionStatu
     points.status[at] = status;
 }
 
-// Ends the search at a new iterate, or picks the first trial from it. Returns whether it ended.
+// Ends the search at a new iterate, or chooses the first trial from it. Returns whether the search ended.
 bool ProjectedBatch::finished(Projection& points, std::size_t i) noexcept {
     const double slope = glm::length(gradient_[i]);
     if (!is_usable_slope(slope)) {
@@ -100,8 +102,8 @@ bool ProjectedBatch::finished(Projection& points, std::size_t i) noexcept {
         end_with(points, i, ProjectionStatus::converged);
         return true;
     }
-    // Near a critical point the Newton step is arbitrarily long, but the surface is at most this far away. Beyond it f
-    // need not be defined.
+    // Near a critical point of f the Newton step may be arbitrarily long. But the surface is at most this far away, and
+    // f need not be defined beyond.
     const double longest = diagonal_ + glm::length(position_[i] - centre_);
     const double newton = std::abs(value_[i]) / slope;
     share_[i] = newton > longest ? longest / newton : 1.0;

@@ -16,8 +16,8 @@ public:
     CreaseProjector(const implicit::Implicit& implicit, const ProjectionSettings& settings) noexcept
         : implicit_(implicit), sheets_(*implicit.sheets()), tolerance_(settings.tolerance * implicit.diagonal()) {}
 
-    // Returns whether the surface was reached. It first tries where sheets meet, then goes from one sheet to the next,
-    // which helps if the first sheets are parallel.
+    // Returns whether the surface was reached. It first searches where sheets meet. If this fails, it moves from one
+    // sheet to the next, which helps if the first sheets are parallel.
     [[nodiscard]] bool run(const glm::dvec3& from) { return run(from, true) || run(from, false); }
 
     glm::dvec3 place{0.0}, gradient{0.0};

@@ -12,8 +12,8 @@ namespace hrbfnpr::surface {
 namespace {
 
 constexpr std::size_t directions = 64;
-constexpr double growth = 1.25;   // growth of the radius from sphere to sphere
-constexpr double smallest = 2e-3; // first radius, in diagonals
+constexpr double growth = 1.25;   // ratio of the radii of consecutive spheres
+constexpr double smallest = 2e-3; // radius of the first sphere, in diagonals
 constexpr int most_halvings = 80;
 constexpr std::int64_t searches_a_task = 8;
 
@@ -36,7 +36,7 @@ public:
         const SheetValue here = value(from);
         if (!std::isfinite(here.value)) return false;
         const double farthest = glm::length(glm::max(glm::abs(from - region_.min), glm::abs(region_.max - from)));
-        // Within |f| / lipschitz f has the same sign everywhere.
+        // f has the same sign everywhere within the distance |f| / lipschitz.
         const double bound = implicit_.lipschitz();
         double radius = smallest * implicit_.diagonal();
         if (bound > 0.0) radius = std::max(radius, std::abs(here.value) / bound);
@@ -51,7 +51,7 @@ public:
     glm::dvec3 place{0.0}, gradient{0.0};
 
 private:
-    // Finds the first point of the sphere, inside the region, at which f has the other sign.
+    // Finds the first point of the sphere, inside the region, where f has the other sign.
     [[nodiscard]] bool find(const glm::dvec3& from, bool inside, double radius, glm::dvec3& other) {
         std::array<double, directions> x, y, z, f;
         std::size_t count = 0;

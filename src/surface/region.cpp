@@ -10,7 +10,7 @@
 namespace hrbfnpr::surface {
 namespace {
 
-// The batch is small, since sums over 100 000 centres take long.
+// The batch is small because sums over 100 000 centres take long.
 constexpr std::int64_t region_batch = implicit::batch_size / 4;
 using RegionColumn = std::array<double, static_cast<std::size_t>(region_batch)>;
 
@@ -18,7 +18,7 @@ constexpr std::int64_t grid_side = 24;
 constexpr std::int64_t grid_size = grid_side * grid_side * grid_side;
 constexpr double safety = 1.5;
 
-// Returns node i of the grid, whose outermost nodes are on the faces of the region.
+// Returns node i of the grid. Its outermost nodes are on the faces of the region.
 glm::dvec3 grid_node(const geometry::Bounds& region, std::int64_t i) noexcept {
     const std::int64_t row = i / grid_side;
     const std::int64_t layer = row / grid_side;
@@ -27,7 +27,7 @@ glm::dvec3 grid_node(const geometry::Bounds& region, std::int64_t i) noexcept {
     return region.min + step / static_cast<double>(grid_side - 1) * region.size();
 }
 
-// Returns the largest finite |grad f| of the nodes [begin, end), at most a batch.
+// Returns the largest finite |grad f| at the nodes [begin, end), which are at most a batch.
 double largest_gradient(const implicit::Implicit& implicit, const geometry::Bounds& region, std::int64_t begin,
                         std::int64_t end) {
     RegionColumn x, y, z, gx, gy, gz;
@@ -49,7 +49,7 @@ double largest_gradient(const implicit::Implicit& implicit, const geometry::Boun
     return most;
 }
 
-// Writes the results for the points [begin, end), at most a batch.
+// Writes the results for the points [begin, end), which are at most a batch.
 void contains_batch(const implicit::Implicit& implicit, const geometry::Bounds& region,
                     const geometry::VecArray& points, base::Array<std::uint8_t>& inside, std::int64_t begin,
                     std::int64_t end) {

@@ -11,8 +11,8 @@ namespace {
 // Sheets that meet at an angle whose squared sine is less than this count as parallel.
 constexpr double parallel = 1e-10;
 constexpr int steps_to_meet = 20;
-// Steps below this many tolerances that do not become shorter are rounding. For sheets of thousands of centres with
-// large weights, rounding exceeds 1e-9 of a cell.
+// If steps do not become shorter, they count as rounding if they are below this many tolerances. For sheets with
+// thousands of centres and large weights, rounding exceeds 1e-9 of a cell.
 constexpr double rounded = 1e3;
 
 implicit::PointBatch single_point(const glm::dvec3& place) noexcept { return {&place.x, &place.y, &place.z, 1}; }
@@ -31,8 +31,8 @@ std::int32_t active_at(const implicit::Sheets& sheets, const glm::dvec3& place) 
     return sheet;
 }
 
-// By Gram and Schmidt's method, what each sheet adds is perpendicular to the sheets before it, so these keep their
-// values.
+// By Gram and Schmidt's method, the step for each sheet is perpendicular to the gradients of the previous sheets, so
+// their values do not change.
 glm::dvec3 step_to_zero(std::span<const SheetValue> values) noexcept {
     std::array<glm::dvec3, 3> across{};
     std::size_t count = 0;
@@ -79,7 +79,7 @@ MeetingPlace find_meeting(const implicit::Sheets& sheets, const Meeting& meeting
         const double length = glm::length(way);
         if (!(glm::distance(place.position + way, from) <= farthest)) return place;
         const bool rounding = length <= rounded * tolerance && length > 0.5 * last;
-        // Parallel sheets were partly ignored, so their values need not be 0 and are checked here.
+        // The step ignores a part of the values of parallel sheets, so these may not be 0 yet. They are checked here.
         if (length <= tolerance || rounding) {
             const double near = 2.0 * std::max(tolerance, length);
             place.found =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds points where two or three sheets of an implicit meet: Newton's steps of least length to the zero levels of all.
+// Finds points where two or three sheets of an implicit function meet. It uses Newton's method with the shortest steps
+// to the common zero of the sheets.
 #pragma once
 
 #include "geometry/vec.h"
@@ -18,8 +19,8 @@ struct SheetValue {
 [[nodiscard]] SheetValue sheet_at(const implicit::Sheets& sheets, std::int32_t sheet, const glm::dvec3& place);
 [[nodiscard]] std::int32_t active_at(const implicit::Sheets& sheets, const glm::dvec3& place);
 
-// Returns the shortest step to where all values are 0, by their linear approximations. Gradients parallel to others are
-// ignored.
+// Returns the shortest step to the place where the linear approximations of all values are 0. Gradients that are
+// parallel to others are ignored.
 [[nodiscard]] glm::dvec3 step_to_zero(std::span<const SheetValue> values) noexcept;
 
 // A set of up to three sheets.
@@ -28,7 +29,7 @@ struct Meeting {
     std::size_t count = 0;
 
     [[nodiscard]] bool has(std::int32_t wanted) const noexcept;
-    // Adds a sheet. If there are three already, it replaces the first.
+    // Adds a sheet. If there are three sheets already, it replaces the first one.
     void add(std::int32_t other) noexcept;
 };
 
@@ -38,8 +39,8 @@ struct MeetingPlace {
     bool found = false;
 };
 
-// Searches from a point. Succeeds when a step is shorter than the tolerance, or as short as rounding allows, and all
-// sheets are 0 there. Fails if it goes farther away than `farthest`.
+// Searches from a point. It succeeds if a step is shorter than the tolerance, or as short as rounding allows, and all
+// sheets are 0 there. It fails if the search goes farther away than `farthest`.
 [[nodiscard]] MeetingPlace find_meeting(const implicit::Sheets& sheets, const Meeting& meeting, const glm::dvec3& from,
                                         double tolerance, double farthest);
 

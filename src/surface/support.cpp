@@ -12,27 +12,28 @@
 namespace hrbfnpr::surface {
 namespace {
 
-// The spacing around a sample comes from the distance to its sixth neighbour, and the median of that over its
-// neighbours.
+// The spacing around a sample is computed from its distance to the sixth neighbour, and from the median of this
+// distance over its neighbours.
 constexpr std::int64_t sixth = 6;
 constexpr std::int64_t around = 17;
 constexpr std::int64_t supported_a_task = 64;
-// `scale` multiplies s. `width` is a kernel's width in spacings. `width_of_dense` is its least width, in `closest`, so
-// that all nearest samples count where samples are denser.
+// `scale` multiplies s. `width` is the width of a sample's kernel, in spacings. `width_of_dense` is the least width, in
+// units of `closest`. It makes all nearest samples count where samples are dense.
 constexpr double scale = 3.0;
 constexpr double width = 0.9;
 constexpr double width_of_dense = 0.8;
-// In kept cells s is this share of the limit where it would exceed the limit.
+// In kept cells, s is limited to this share of the limit.
 constexpr double borne_out = 0.9;
 
-// Returns the distance to the sixth neighbour. With fewer neighbours it takes the middle one, since the last may be on
-// the far side.
+// Returns the distance to the sixth neighbour. If there are fewer neighbours, it uses the middle one, because the last
+// may be on the far side of the surface.
 double distance_to_sixth(const geometry::VecArray& position, const geometry::Neighbours& neighbours, std::int64_t i) {
     const std::int64_t place = neighbours.each() >= sixth ? sixth - 1 : (neighbours.each() - 1) / 2;
     return glm::distance(position[i], position[neighbours.of(i)[static_cast<std::size_t>(place)]]);
 }
 
-// Returns the geometric mean of a sample's own distance and the median of its neighbours', for even and uneven samples.
+// Returns the geometric mean of two distances: the sample's own, and the median of its neighbours'. It suits both
+// evenly and unevenly spaced samples.
 double own_and_median(const base::Array<double>& distance, std::span<const std::int64_t> neighbours, std::int64_t i) {
     std::array<double, around> of{};
     std::size_t count = 0;
@@ -43,16 +44,16 @@ double own_and_median(const base::Array<double>& distance, std::span<const std::
 
 } // namespace
 
-// The nearest samples of a point, and -ln of their weights. The least of these is factored out of the sums, so that
-// they do not vanish far away.
+// The samples nearest to a point, and -ln of their weights. The smallest of these logarithms is factored out of the
+// sums, so that the sums do not become 0 far away.
 struct Support::NearSamples {
     std::array<std::int64_t, nearest> at;
     std::array<double, nearest> facing; // (1 + n_j . m) / 2
     std::array<double, nearest> loss;
     std::size_t count = 0;
     double least = std::numeric_limits<double>::infinity();
-    double sum = 0.0;       // sum of exp(least - loss)
-    glm::dvec3 middle{0.0}; // c
+    double sum = 0.0;       // sum of exp(least - loss) over the samples
+    glm::dvec3 middle{0.0}; // the vector c of surface/support.h
 
     [[nodiscard]] double weight(std::size_t k) const noexcept { return std::exp(least - loss[k]); }
     [[nodiscard]] double s() const noexcept { return scale * (glm::dot(middle, middle) + least - std::log(sum)); }
@@ -76,7 +77,7 @@ void Support::keep(const geometry::CellGrid& grid, geometry::CellSet kept, geome
 
 template <class Visit>
 bool Support::for_cells(const glm::dvec3& place, double half, Visit&& visit) const {
-    constexpr std::int64_t most = 8; // cells along an axis
+    constexpr std::int64_t most = 8; // the largest number of cells along an axis
     const geometry::CellGrid::Cell low = grid_.cell_of(place - half);
     const geometry::CellGrid::Cell high = grid_.cell_of(place + half);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -92,8 +93,8 @@ bool Support::may_end_near(const glm::dvec3& place, double half) const noexcept 
     return !(limit_ > 0.0) || !for_cells(place, half, [&](std::uint64_t cell) { return !ends_.contains(cell); });
 }
 
-// All samples are at least as far as the nearest one, so the sum of weights is at most `nearest` times the largest
-// possible.
+// The nearest sample has the largest weight, so the sum of weights is at most `nearest` times the largest possible
+// weight.
 bool Support::has_nothing_near(const glm::dvec3& place, double half, double limit) const noexcept {
     const double left = nearest_sample(place).distance - std::sqrt(3.0) * half;
     const double most = std::log(static_cast<double>(nearest));
@@ -106,7 +107,7 @@ void Support::measure_spacing(const base::Work& work, double closest) {
     const std::int64_t count = position.size();
     const geometry::Neighbours neighbours(work.runtime().parallel, position, around, work);
     base::Array<double> distance(work.memory, count);
-    // A sample that is alone, or coincides with others, gets a small spacing above 0.
+    // A sample that is alone, or that coincides with others, gets a small positive spacing.
     const double smallest = std::max(1e-9 * tree_.bounds().diagonal(), 1e-100);
     for (std::int64_t i = 0; i < count; ++i)
         distance[i] = std::max(smallest, neighbours.each() > 0 ? distance_to_sixth(position, neighbours, i) : smallest);
@@ -192,7 +193,7 @@ Support::ValueAndDerivatives Support::evaluate(const glm::dvec3& place, const gl
         const std::int64_t j = near.at[k];
         const glm::dvec3 q = scaled_offset(j, place);
         const double weight = scale * near.weight(k) / near.sum;
-        // The relative change of -s by this sample's weight.
+        // The change of -s with this sample's weight, relative to the weight.
         const double change = 1.0 + 2.0 * (middle - glm::dot(near.middle, q));
         answer.place_gradient += 2.0 * weight * std::sqrt(sharpness_[j]) * (near.middle + change * q);
         answer.normal_gradient -= weight * change / near.facing[k] * normal_[j];

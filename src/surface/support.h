@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Support: how well the samples around a point of the surface confirm it. The zero level of an implicit continues
-// beyond its samples, and the surface there is invented.
+// Support: how well the samples around a point of the surface confirm it. The zero set of an implicit function
+// continues beyond its samples, where no data confirm it.
 //
-//   s(x) = 3 (|c|^2 - ln sum_j w_j),   w_j = exp(-|q_j|^2) ((1 + n_j . m) / 2)^2,   q_j = (x - p_j) / (0.9 h_j)
+// s(x) = 3 (|c|^2 - ln sum_j w_j),   w_j = exp(-|q_j|^2) ((1 + n_j . m) / 2)^2,   q_j = (x - p_j) / (0.9 h_j)
 //
-// The sums are over the samples p_j nearest to x. n_j are their normals, h_j is the spacing around each, m is the unit
-// normal at x, and c = sum_j w_j q_j / sum_j w_j. c tells how far x is from the middle of its neighbours (Adamson and
-// Alexa 2004), and does not depend on how many there are. s is near -4.7 among samples. It grows away from them, and
-// where they face another way.
+// The sums are over the samples p_j nearest to x. n_j are their normals, and h_j is the spacing around each. m is the
+// unit normal at x, and c = sum_j w_j q_j / sum_j w_j. c tells how far x is from the middle of its neighbours (Adamson
+// and Alexa 2004), whatever their number is. s is about -4.7 among samples. It grows with the distance from samples,
+// and where they face another way.
 #pragma once
 
 #include "base/operation.h"
@@ -25,54 +25,55 @@ class Support {
 public:
     static constexpr std::int64_t nearest = 24;
 
-    // The value of s at a point with a normal, and its derivatives by both.
+    // The value of s at a point with a normal, and its derivatives with respect to both.
     struct ValueAndDerivatives {
         double value;               // infinite if no sample is near or faces the same way
-        glm::dvec3 place_gradient;  // its gradient for a fixed normal
-        glm::dvec3 normal_gradient; // its derivative by the normal, perpendicular to the normal
+        glm::dvec3 place_gradient;  // the gradient of s for a fixed normal
+        glm::dvec3 normal_gradient; // the derivative of s with respect to the normal; it is perpendicular to the normal
     };
 
-    // `position` and `normal` (unit) belong to the same samples, one or more. Spacings below `closest` are raised to
-    // it, so that dense samples of a coarser shape support all within `closest`.
+    // `position` and `normal` (unit) are those of one or more samples. Spacings below `closest` are raised to it. So
+    // samples that are denser than the shape is accurate support all places within `closest`.
     Support(const base::Work& work, const geometry::VecArray& position, const geometry::VecArray& normal,
             double closest);
 
-    // Keeps s below `limit` in the `kept` cells from now on, so that holes there stay closed. `ends` are the cells in
-    // which the surface may end, among all that it is known to pass.
+    // From now on, keeps s below `limit` in the `kept` cells, so that holes there stay closed. `ends` are the cells in
+    // which the surface may end, among all cells that it is known to pass.
     void keep(const geometry::CellGrid& grid, geometry::CellSet kept, geometry::CellSet ends, double limit);
     [[nodiscard]] bool may_end_at(const glm::dvec3& place) const noexcept {
         return !(limit_ > 0.0) || !kept_.contains(geometry::CellGrid::pack(grid_.cell_of(place)));
     }
     [[nodiscard]] bool has_kept() const noexcept { return limit_ > 0.0; }
-    // Tells whether the surface may end in a cube around the point.
+    // Returns whether the surface may end in a cube, given by its centre and half its side.
     [[nodiscard]] bool may_end_near(const glm::dvec3& place, double half) const noexcept;
 
-    // These run on the calling thread, and may be called from any number of threads at once.
+    // These functions run on the calling thread, and are thread-safe.
     [[nodiscard]] double value(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept;
     [[nodiscard]] ValueAndDerivatives evaluate(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept;
-    // Computes s at many points from grad f there, which need not be unit, and resizes `value`. The result has the same
+    // Computes s at many points. `gradient` is grad f there, of any length. Resizes `value`. The result has the same
     // bits for any number of threads.
     void evaluate_all(const base::Work& work, const geometry::VecArray& place, const geometry::VecArray& gradient,
                       base::Array<double>& value) const;
 
-    // The nearest sample's distance, its spacing, and whether others surround it (surface/surrounded.h).
+    // The distance to the nearest sample, the sample's spacing, and whether other samples surround it
+    // (surface/surrounded.h).
     struct Nearest {
         double distance, spacing;
         bool surrounded;
     };
     [[nodiscard]] Nearest nearest_sample(const glm::dvec3& place) const noexcept;
     [[nodiscard]] double median_spacing() const;
-    // Tells whether a cube surely holds no surface: s is above `limit` in all of it for any normal, and no cell is
-    // kept. Returns false if that is not certain.
+    // Returns true only if a cube certainly contains no surface: s is above `limit` in the whole cube for every normal,
+    // and no cell is kept.
     [[nodiscard]] bool has_nothing_near(const glm::dvec3& place, double half, double limit) const noexcept;
-    // Tells whether the samples are along curves, with nothing between these.
+    // Returns whether the samples lie along curves with gaps between the curves.
     [[nodiscard]] bool samples_lie_along_curves() const { return geometry::lie_along_curves(tree_); }
     [[nodiscard]] geometry::VecArray samples_not_surrounded() const;
 
-    // The samples' positions and normals, in this object's own order.
+    // The positions and normals of the samples, in the order of the tree.
     [[nodiscard]] const geometry::VecArray& positions() const noexcept { return tree_.points(); }
     [[nodiscard]] const geometry::VecArray& normals() const noexcept { return normal_; }
-    // Returns which of the given samples is at position `at` of this object's order.
+    // Returns the original index of the sample at position `at` of the tree's order.
     [[nodiscard]] std::int64_t index(std::int64_t at) const noexcept { return tree_.index(at); }
     [[nodiscard]] const geometry::CellGrid& grid() const noexcept { return grid_; }
     [[nodiscard]] const geometry::CellSet& kept() const noexcept { return kept_; }
@@ -83,23 +84,23 @@ public:
 private:
     struct NearSamples;
 
-    // Calls visit(packed cell) for the cells of the grid in a cube, until it returns false. Returns false then, and if
-    // there are too many cells.
+    // Calls visit(packed cell) for the cells of the grid in a cube, until it returns false. Returns false if visit()
+    // did, or if there are too many cells.
     template <class Visit>
     [[nodiscard]] bool for_cells(const glm::dvec3& place, double half, Visit&& visit) const;
     void measure_spacing(const base::Work& work, double closest);
-    // Returns the vector from a sample to a point, in widths of the sample's kernel.
+    // Returns the vector from a sample to a point, in units of the width of the sample's kernel.
     [[nodiscard]] glm::dvec3 scaled_offset(std::int64_t j, const glm::dvec3& place) const noexcept;
     [[nodiscard]] NearSamples find_near_samples(const glm::dvec3& place, const glm::dvec3& normal) const noexcept;
 
     geometry::PointTree tree_;
-    geometry::VecArray normal_;     // in the tree's order, as the arrays below
-    base::Array<double> spacing_;   // h
-    base::Array<double> sharpness_; // 1 / r^2, r the width of the kernel
+    geometry::VecArray normal_;     // in the tree's order, like the arrays below
+    base::Array<double> spacing_;   // the spacing h around each sample
+    base::Array<double> sharpness_; // 1 / r^2, where r is the width of the kernel
     double least_sharpness_ = 0.0;
     base::Array<std::uint8_t> surrounded_;
     geometry::CellGrid grid_;
-    geometry::CellSet kept_, ends_; // where the surface continues, and where it may end, if limit_ > 0
+    geometry::CellSet kept_, ends_; // where the surface continues and where it may end; used if limit_ > 0
     double limit_ = 0.0;
 };
 

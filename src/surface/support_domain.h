@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The domain of a surface that its samples support. It ends where s(x) = limit, with s of surface/support.h.
+// The domain of a surface that its samples support. It ends where s(x) = limit, where s is defined in
+// surface/support.h.
 #pragma once
 
 #include "base/assert.h"
@@ -14,12 +15,12 @@ namespace hrbfnpr::surface {
 
 class SupportDomain final : public implicit::Domain {
 public:
-    // `closest` is the value that the support was made with.
+    // `closest` is the value with which `support` was made.
     SupportDomain(Support support, double limit, double closest) noexcept
         : support_(std::move(support)), limit_(limit), closest_(closest) {}
 
-    // Sets the border of a mesh of the surface, as points on it. Farther than `reach` from them, lines and rays find no
-    // ends, since the mesh has none there.
+    // Sets the border of a mesh of the surface, given by points on it. Lines and rays find no end of the surface
+    // farther than `reach` from these points.
     void set_border(const geometry::VecArray& places, double reach) {
         HRBFNPR_ASSERT(reach > 0.0);
         border_.emplace(places, reach);

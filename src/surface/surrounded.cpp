@@ -11,9 +11,9 @@
 namespace hrbfnpr::surface {
 namespace {
 
-// With more neighbours, samples across a hole as wide as three spacings would count.
+// With more neighbours, samples on the other side of a hole of three spacings would count, too.
 constexpr std::size_t neighbours_around = 12;
-constexpr double same_way = 0.25; // cosine between normals
+constexpr double same_way = 0.25; // Neighbours face the same way if the cosine between the normals is above this.
 constexpr double widest_gap = 2.0 / 3.0 * std::numbers::pi;
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds samples that others of the same sheet surround on all sides. The surface does not end there.
+// Finds samples that other samples of the same sheet surround on all sides. The surface does not end at them.
 #pragma once
 
 #include "geometry/vec_array.h"
@@ -9,9 +9,9 @@
 
 namespace hrbfnpr::surface {
 
-// Tells whether the neighbours of sample i surround it. `neighbours` are nearest first, without the sample itself.
-// Among the first twelve, those that face the same way must leave no gap of 120 degrees or more about the sample's
-// normal (unit). At a straight border the gap is 180 degrees.
+// Returns whether its neighbours surround sample i. `neighbours` are nearest first, without the sample itself. It uses
+// those of the first twelve that face the same way. Seen along the sample's unit normal, they must leave no gap of 120
+// degrees or more. At a straight border the gap is 180 degrees.
 [[nodiscard]] bool is_surrounded(const geometry::VecArray& position, const geometry::VecArray& normal,
                                  std::span<const std::int64_t> neighbours, std::int64_t i) noexcept;
 
