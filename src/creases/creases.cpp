@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
-// split_at_creases makes the mesh:
-// 1. find_sheets finds the sheet of each vertex.
-// 2. settle_alone, settle_equal assign vertices between sheets that nearly coincide to the first of these.
-// 3. find_edges finds where the sheets of an edge's ends meet; find_corners the same in triangles of three sheets.
-// 4. halve_unclear halves edges where another sheet lies between; then steps 2 to 4 are repeated.
-// 5. place_rest places the remaining nodes near the surface.
-// 6. find_chains makes chains of nodes of the creases.
-// 7. build cuts triangles at the nodes.
-// Afterwards sheet_surfaces splits the mesh into one for each sheet.
+// split_at_creases makes the mesh: 1. find_sheets finds the sheet of each vertex. 2. settle_alone and settle_equal:
+// where sheets nearly coincide, they assign vertices to the first of these sheets. 3. find_edges finds where the sheets
+// of an edge's ends meet; find_corners does the same in triangles of three sheets. 4. halve_unclear halves edges where
+// another sheet lies between the two; then steps 2 to 4 are repeated. 5. place_rest places the remaining nodes near the
+// surface. 6. find_chains makes chains of the nodes of creases. 7. build cuts triangles at the nodes. Afterwards
+// sheet_surfaces splits the mesh into one for each sheet.
 //
-// trace_creases runs once for a model:
-// 1. add_chain makes points of the mesh's nodes, without crowded ones, and cuts chains where sheets do not meet.
-// 2. set_normals sets the normals of both sheets at each point.
-// 3. drop_returns drops points that are out of order.
-// 4. find_tangents, halve_pieces add points where a crease turns.
-// parts_in_view runs for each camera: it cuts creases where one of their sheets turns away from the eye.
+// trace_creases runs once for a model: 1. add_chain makes points of the mesh's nodes, without crowded ones, and cuts
+// chains where sheets do not meet. 2. set_normals sets the normals of both sheets at each point. 3. drop_returns drops
+// points that are out of order. 4. find_tangents and halve_pieces add points where a crease turns. parts_in_view runs
+// for each camera: it cuts creases where one of their sheets turns away from the eye.
 #include "creases/creases.h"
 
 #include "creases/tuning.h"
@@ -37,27 +32,28 @@ namespace {
 // ---- The mesh
 
 constexpr std::int64_t nodes_a_task = 32;
-constexpr double meeting_tolerance = 1e-9; // the tolerance of places where sheets meet, in sides
+constexpr double meeting_tolerance = 1e-9; // the tolerance for places where sheets meet, in sides
 
 // A node of an edge whose ends belong to different sheets.
 struct EdgeNode {
-    std::int64_t edge;                 // the edge that comes first among the two opposite edges
+    std::int64_t edge;                 // the index of the first of the two opposite edges
     std::array<std::int32_t, 2> ends;  // the start and end vertex of the edge
-    std::array<std::int32_t, 2> sheet; // the sheets of both ends
+    std::array<std::int32_t, 2> sheet; // the sheets of the start and end vertex
     CreaseNode place;
     std::array<glm::dvec3, 2> gradient; // the gradients of both sheets at the node
-    // Equal[0]: the start may belong to the sheet of the end; equal[1]: the end may belong to the sheet of the start.
+    // The first is true if the start may belong to the end's sheet; the second if the end may belong to the start's
+    // sheet.
     std::array<bool, 2> equal;
-    bool alike; // the sheets nearly coincide at both ends
-    bool meet;  // the sheets meet near the edge, on the surface or off the surface
-    bool near;  // the sheets meet slightly off the surface, at an angle
+    bool alike; // whether the sheets nearly coincide at both ends
+    bool meet;  // whether the sheets meet near the edge, on or off the surface
+    bool near;  // whether the sheets meet at an angle slightly off the surface
 };
 
 // A node of a triangle whose corners belong to three sheets.
 struct CornerNode {
     std::int64_t triangle;
     CreaseNode place;
-    std::array<glm::dvec3, 3> gradient; // the gradients at the node of the three corners' sheets
+    std::array<glm::dvec3, 3> gradient; // the gradients of the three corners' sheets at the node
 };
 
 // A mesh with the sheets of its vertices, and with nodes where its edges cross creases.
@@ -70,10 +66,11 @@ struct SheetMesh {
     const implicit::Sheets& sheets;
     SurfaceMesh mesh;
     base::Array<std::int32_t> sheet; // the sheet of each vertex
-    // The index in `edges` of each edge, the same for both of its sides; -1: the edge crosses no crease.
+    // For each edge, the index of its node in `edges`, the same for both sides of the edge; -1: the edge crosses no
+    // crease.
     base::Array<std::int32_t> node;
     base::Array<EdgeNode> edges;
-    base::Array<CornerNode> corners; // ordered by triangle
+    base::Array<CornerNode> corners; // sorted by triangle
 
     [[nodiscard]] std::int32_t sheet_at(std::int64_t edge) const noexcept { return sheet[start_of(mesh, edge)]; }
     [[nodiscard]] int sheets_of(std::int64_t triangle) const noexcept {
@@ -82,7 +79,7 @@ struct SheetMesh {
         const std::int32_t c = sheet_at(3 * triangle + 2);
         return a == b && b == c ? 1 : a != b && b != c && a != c ? 3 : 2;
     }
-    // The corner of creases in a triangle; null: none.
+    // Returns the corner of creases in a triangle; null if there is none.
     [[nodiscard]] const CornerNode* corner_of(std::int64_t triangle) const noexcept {
         const CornerNode* const at =
             std::lower_bound(corners.begin(), corners.end(), triangle,
@@ -98,7 +95,7 @@ struct SheetMesh {
                           {&f.value, {&f.gradient.x, &f.gradient.y, &f.gradient.z}, {}});
         return f;
     }
-    // The distance from the whole surface, in sides.
+    // Returns the distance from the whole surface, in sides.
     [[nodiscard]] double off_surface(const glm::dvec3& place) const {
         const surface::SheetValue f = value(place);
         return std::abs(f.value) / (mesh.side * glm::length(f.gradient));
@@ -123,14 +120,15 @@ void find_sheets(const base::Work& work, SheetMesh& at) {
         });
 }
 
-// Where two sheets nearly coincide, a vertex lies on one or the other by chance. A vertex is alone if no neighbour is
-// on its sheet. If all its neighbours' sheets nearly coincide there, a vertex that is alone is assigned to the first of
-// these, and moves onto it.
+// Handles vertices that are on another sheet than all their neighbours. Where two sheets nearly coincide, this happens
+// by chance. If the sheets of all neighbours nearly coincide there, the vertex is assigned to the first of these
+// sheets, and moves onto it.
 void settle_alone(const base::Work& work, SheetMesh& at) {
     constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
     constexpr std::int32_t not_alone = -1;
     SurfaceMesh& mesh = at.mesh;
-    base::Array<std::int32_t> first(work.memory, mesh.vertices()); // the first sheet among each vertex's neighbours
+    // For each vertex, the first of the sheets of its neighbours.
+    base::Array<std::int32_t> first(work.memory, mesh.vertices());
     std::fill(first.begin(), first.end(), none);
     const auto for_neighbours = [&](const auto& visit) {
         for (const std::int64_t e : work.over(mesh.corner.size())) {
@@ -159,12 +157,13 @@ void settle_alone(const base::Work& work, SheetMesh& at) {
     }
 }
 
-// Whether f is the maximum or the minimum of both sheets around the node. Beyond a corner, f may be 0 at the node but
-// follow only one of them, because the edge passes a third sheet. Then f has opposite signs on both sides of the node,
-// in the direction in which the sheets differ most. far: the distance to either side at which f is evaluated.
+// Returns whether f is the maximum or the minimum of both sheets around the node. Beyond a corner, f may be 0 at the
+// node but follow only one of the sheets, because the edge passes a third sheet. Then f has opposite signs on the two
+// sides of the node, in the direction in which the sheets differ most. `far` is the distance from the node at which f
+// is evaluated.
 bool is_folded(const SheetMesh& in, const EdgeNode& node, double far) {
     const glm::dvec3 across = glm::normalize(node.gradient[0]) - glm::normalize(node.gradient[1]);
-    // The sine of half the angle: f at a distance aside is this share of the distance.
+    // The sine of half the angle between the sheets. On a fold, f at some distance aside is this share of the distance.
     const double sine = 0.5 * glm::length(across);
     if (!(sine > crease_tuning.least_sine)) return true;
     const glm::dvec3 way = far / (2.0 * sine) * across;
@@ -177,10 +176,11 @@ bool is_folded(const SheetMesh& in, const EdgeNode& node, double far) {
     return !(a * b < 0.0 && std::min(std::abs(a), std::abs(b)) > 0.5 * sine * far);
 }
 
-// Searches for the meeting from the point of the edge where the difference of both sheets is 0 by linear interpolation.
+// Searches for the place where the sheets meet. It starts at the point of the edge where the difference of the sheets
+// is 0 by linear interpolation.
 void examine_edge(const SheetMesh& in, EdgeNode& node) {
     const std::array<glm::dvec3, 2> place{in.mesh.position[node.ends[0]], in.mesh.position[node.ends[1]]};
-    std::array<double, 2> off{}; // the signed distance of each end from the other end's sheet
+    std::array<double, 2> off{}; // the signed distance of each end from the sheet of the other end
     node.alike = true;
     for (std::size_t k = 0; k < 2; ++k) {
         const surface::SheetValue other = surface::sheet_at(in.sheets, node.sheet[1 - k], place[k]);
@@ -203,12 +203,12 @@ void examine_edge(const SheetMesh& in, EdgeNode& node) {
     const double away = found.found ? in.off_surface(found.position) : crease_tuning.beside_surface;
     node.place.exact = away <= crease_tuning.on_surface && is_folded(in, node, crease_tuning.on_surface * in.mesh.side);
     const double sine = 0.5 * glm::distance(glm::normalize(node.gradient[0]), glm::normalize(node.gradient[1]));
-    // A fold near the surface is tested from a distance at which its exact place does not matter.
+    // A fold slightly off the surface is tested at a distance where the exact place of the fold does not matter.
     node.near = !node.place.exact && away < crease_tuning.beside_surface && sine > crease_tuning.sharp_sine &&
                 is_folded(in, node, 2.0 * crease_tuning.beside_surface / sine * in.mesh.side);
 }
 
-// Nodes are kept for edges whose ends and sheets have not changed.
+// Finds the nodes of edges. Nodes of unchanged edges with unchanged sheets are kept.
 void find_edges(const base::Work& work, SheetMesh& in) {
     const auto by_ends = [](const EdgeNode& a, const EdgeNode& b) { return a.ends < b.ends; };
     base::Array<EdgeNode> before(work.memory);
@@ -239,8 +239,8 @@ void find_edges(const base::Work& work, SheetMesh& in) {
     });
 }
 
-// Where sheets coincide, any of them may be active. All vertices there are assigned to the first of these sheets.
-// Returns whether anything changed.
+// Where sheets coincide, any of them may be active. Assigns all vertices there to the first of these sheets. Returns
+// whether a vertex changed.
 bool settle_equal(SheetMesh& in) {
     bool changed = false;
     for (const EdgeNode& node : in.edges) {
@@ -276,8 +276,9 @@ void find_corners(const base::Work& work, SheetMesh& in) {
     });
 }
 
-// Halves edges whose sheets meet near them but not on the surface, since another sheet lies between. Also halves the
-// longest edge of each triangle of three sheets that do not meet on the surface. Returns whether any edge was halved.
+// Halves edges whose sheets meet near the edge but off the surface, because another sheet lies between them. Also
+// halves the longest edge of each triangle of three sheets that do not meet on the surface. Returns whether an edge was
+// halved.
 bool halve_unclear(const base::Work& work, SheetMesh& in) {
     base::Array<std::uint8_t> chosen(work.memory, in.mesh.corner.size());
     base::Array<std::int64_t> edges(work.memory);
@@ -301,10 +302,11 @@ bool halve_unclear(const base::Work& work, SheetMesh& in) {
     return true;
 }
 
-// Nodes that were not found stay where their search started, with the gradients of their sheets there. At a seam f
-// blends two patches and is slightly off each: there the crease of one patch with another sheet is accurate enough. Two
-// sheets of a corner may be adjacent patches that nearly coincide at their seam and do not meet there. A crease comes
-// to the seam on one of them and continues on the other, so the corner is where the third sheet meets one of them.
+// Places nodes that were not found. They stay where their search started, with the gradients of their sheets there. At
+// a seam f blends two patches and differs slightly from both. There the crease between one patch and another sheet is
+// accurate enough. Two sheets of a corner may be adjacent patches that nearly coincide at their seam and do not meet
+// there. A crease reaches the seam on one patch and continues on the other. So the corner is where the third sheet
+// meets one of the patches.
 void place_rest(SheetMesh& in) {
     for (EdgeNode& node : in.edges) {
         if (node.place.exact) continue;
@@ -329,17 +331,18 @@ void place_rest(SheetMesh& in) {
     }
 }
 
-// Open chains start at corners and at the border; the others are closed.
+// Makes chains. Open chains start at corners and at the border; all other chains are closed.
 void find_chains(const SheetMesh& in, CreaseChains& chains) {
     const SurfaceMesh& mesh = in.mesh;
-    base::Array<std::uint8_t> taken(chains.first.memory(), mesh.corner.size()); // edges that a chain has passed
+    // A flag for each edge that a chain has passed.
+    base::Array<std::uint8_t> taken(chains.first.memory(), mesh.corner.size());
     const auto put = [&](std::int64_t edge) { chains.point.push_back(in.edges[in.node[edge]].place); };
     const auto end = [&](std::int32_t left, std::int32_t right, bool closed) {
         chains.end(closed);
         chains.left.push_back(left);
         chains.right.push_back(right);
     };
-    // Follows a chain into the triangle of an edge and onwards; the sheet of the edge's start lies to the left.
+    // Follows a chain into the triangle of an edge and onwards. The sheet of the edge's start is on the left.
     const auto follow = [&](std::int64_t entered) {
         bool closed = false;
         for (std::int64_t e = entered; e >= 0 && taken[e] == 0;) {
@@ -384,7 +387,7 @@ void build(const base::Work& work, SheetMesh& in, SharpMesh& out) {
     to.missed_seeds = in.mesh.missed_seeds;
     std::swap(to.position, in.mesh.position);
     std::swap(to.gradient, in.mesh.gradient);
-    const auto add_vertices = [&](const auto& nodes) { // adds one vertex for each node and each of its sheets
+    const auto add_vertices = [&](const auto& nodes) { // adds one vertex for each pair of a node and one of its sheets
         const auto first = static_cast<std::int32_t>(to.vertices());
         for (const auto& node : nodes)
             for (const glm::dvec3& gradient : node.gradient) {
@@ -395,7 +398,7 @@ void build(const base::Work& work, SheetMesh& in, SharpMesh& out) {
     };
     const std::int32_t first_of_edges = add_vertices(in.edges);
     const std::int32_t first_of_corners = add_vertices(in.corners);
-    // The vertex of an edge's node for the sheet of the edge's start or end.
+    // Returns the vertex of an edge's node for the sheet of the edge's start or end.
     const auto vertex_of = [&](std::int64_t edge, bool at_start) {
         const bool first = in.edges[in.node[edge]].edge == edge;
         return first_of_edges + 2 * in.node[edge] + (first == at_start ? 0 : 1);
@@ -415,9 +418,9 @@ void build(const base::Work& work, SheetMesh& in, SharpMesh& out) {
         const int count = in.sheets_of(t);
         if (count == 1) {
             add(at(0), at(1), at(2), in.sheet[at(0)]);
-            to.turned += is_turned(to, to.triangles() - 1) ? 1 : 0; // cut triangles do not count if they are slivers
+            to.turned += is_turned(to, to.triangles() - 1) ? 1 : 0; // cut triangles that are slivers do not count
         } else if (count == 2) {
-            std::int64_t k = 0; // the corner whose sheet differs from the others
+            std::int64_t k = 0; // the index of the corner whose sheet differs from the other two
             while (in.sheet[at(k)] == in.sheet[at(k + 1)] || in.sheet[at(k)] == in.sheet[at(k + 2)]) ++k;
             add(at(k), vertex_of(edge(k), true), vertex_of(edge(k + 2), false), in.sheet[at(k)]);
             add_quad({vertex_of(edge(k), false), at(k + 1), at(k + 2), vertex_of(edge(k + 2), true)},
@@ -449,7 +452,7 @@ void set_normals(const implicit::Sheets& sheets, const Creases& creases, std::in
     p.right = glm::normalize(surface::sheet_at(sheets, creases.right[crease], p.position).gradient);
 }
 
-// Makes a crease of the points since the last crease, unless it is too short.
+// Ends a crease: makes it of the points added since the last crease, unless it is too short.
 void end_crease(Creases& creases, bool closed, std::int32_t left, std::int32_t right, double side) {
     const std::int64_t first = creases.first.back();
     double length = 0.0;
@@ -472,7 +475,7 @@ void add_chain(const CreaseChains& chains, std::int64_t chain, double side, Crea
         const auto crowds = [&](std::int64_t i, const glm::dvec3& place) {
             return glm::distance(creases.point[i].position, place) < nearest;
         };
-        // Narrow gaps are bridged.
+        // Narrow gaps are bridged. A crease continues across them.
         if (creases.point.size() > first && !crowds(creases.point.size() - 1, node[begin % count].position))
             end_crease(creases, false, chains.left[chain], chains.right[chain], side);
         const std::int64_t start = creases.first.back();
@@ -491,7 +494,7 @@ void add_chain(const CreaseChains& chains, std::int64_t chain, double side, Crea
     end_crease(creases, false, chains.left[chain], chains.right[chain], side);
 }
 
-// Whether a crease from a over p to b turns back at p.
+// Returns whether the way from a over p to b turns back at p, compared with the crease.
 bool turns_back(const CreasePoint& a, const CreasePoint& p, const CreasePoint& b) noexcept {
     const glm::dvec3 along = glm::cross(p.left, p.right);
     const double size = glm::length(along);
@@ -501,8 +504,8 @@ bool turns_back(const CreasePoint& a, const CreasePoint& p, const CreasePoint& b
     return in * out < 0.0 && std::min(std::abs(in), std::abs(out)) > crease_tuning.returns;
 }
 
-// Near a corner, nodes may not be in the order in which edges of the mesh cross the crease, since Newton's steps move
-// them along it. Drops such nodes.
+// Drops nodes that are out of order along a crease. Near a corner this happens because Newton's steps move nodes along
+// the crease.
 Creases drop_returns(const Creases& found, double side) {
     Creases kept(found.first.memory());
     for (std::int64_t c = 0; c < found.count(); ++c) {
@@ -538,7 +541,7 @@ void find_tangents(Creases& creases) {
     }
 }
 
-// Finds the zero of n . v of a sheet along a piece, from its values at both ends.
+// Returns where along a piece n . v of a sheet is 0, from its values at both ends.
 double turn_of(const implicit::Sheets& sheets, std::int32_t sheet, const CubicPiece& piece, double from, double to,
                const View& view) {
     Illinois root(from, to);
@@ -550,7 +553,7 @@ double turn_of(const implicit::Sheets& sheets, std::int32_t sheet, const CubicPi
     return std::clamp(root.trial, root.low, root.high);
 }
 
-// The points of a crease, and additional points where a sheet turns to the eye or away from it.
+// Returns the points of a crease, with additional points where a sheet turns towards the eye or away from it.
 base::Array<CreasePoint> path_of(base::Memory& memory, const implicit::Sheets& sheets, const Creases& creases,
                                  std::int64_t crease, const View& view) {
     base::Array<CreasePoint> path(memory);
@@ -587,8 +590,8 @@ void add_parts(const base::Array<CreasePoint>& path, bool closed, const AngleRan
                CreaseParts& parts) {
     const std::int64_t size = path.size();
     HRBFNPR_ASSERT(size >= 2);
-    // Tells which sheets face the eye between point k and the next one. The middle between the points is used, since a
-    // sheet may be turning away at a point.
+    // Tells which sheets face the eye between point k and the next point. It uses the middle between them, because a
+    // sheet may be just turning away at a point.
     struct Facing {
         bool left, right;
         bool operator==(const Facing&) const = default;
@@ -620,13 +623,13 @@ void add_parts(const base::Array<CreasePoint>& path, bool closed, const AngleRan
 
 // ---- Sheets
 
-// The domain of one sheet of a whole surface: the places where this sheet is the active one.
+// The domain of one sheet of a whole surface: the places where this sheet is active.
 class SheetDomain final : public implicit::Domain {
 public:
-    // creases: places along the creases of all sheets, at most a side of the mesh apart. A sheet may end near any
-    // crease: a curve that leaves it may come to another sheet with the same function, for example where two cylinders
-    // have one axis. own: the sheet's triangles, which must outlive this object. base: the domain of the whole surface,
-    // or null.
+    // `creases` are places along the creases of all sheets, at most a mesh side apart. A sheet may end near any crease.
+    // A curve that leaves a sheet may reach another sheet with the same function, for example where two cylinders have
+    // the same axis. `own` has the triangles of the sheet, and must outlive this object. `base` is the domain of the
+    // whole surface, or null.
     SheetDomain(const implicit::Implicit& whole, std::int32_t sheet, std::shared_ptr<const geometry::PointGrid> creases,
                 const SurfaceMesh& own, const implicit::Domain* base)
         : whole_(whole), sheet_(sheet), own_(own), creases_(std::move(creases)),
@@ -637,8 +640,9 @@ public:
     [[nodiscard]] bool near_end(const glm::dvec3& place) const noexcept override {
         return (base_ != nullptr && base_->near_end(place)) || creases_->any_around(place);
     }
-    // Returns the distance from the whole surface if the sheet is not active. If that is 0 because another sheet is
-    // active, returns a side, unless a vertex of this sheet is near: either of two equal sheets may be active there.
+    // Returns the distance from the whole surface if another sheet is active. If that distance is 0, returns a mesh
+    // side, unless a vertex of this sheet is near. The exception is needed because either of two equal sheets may be
+    // active there.
     [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const override {
         const double on_surface = curve_tuning.on_sheet * own_.side;
         if (surface::active_at(*whole_.sheets(), place) != sheet_) {
@@ -698,7 +702,8 @@ base::List<std::unique_ptr<SheetSurface>> sheet_surfaces(const base::Runtime& ru
     for (const std::int32_t sheet : mesh.sheet) ++begin[sheet + 2];
     for (std::int64_t s = 2; s < begin.size(); ++s) begin[s] += begin[s - 1];
     for (std::int64_t t = 0; t < mesh.sheet.size(); ++t) order[begin[mesh.sheet[t] + 1]++] = t;
-    base::Array<std::int32_t> number(runtime.memory, mesh.mesh.vertices()); // 1 + its number in the part; 0: none
+    // 1 + the vertex's index in the part; 0: it is not in the part.
+    base::Array<std::int32_t> number(runtime.memory, mesh.mesh.vertices());
     geometry::VecArray creases(runtime.memory);
     for (std::int32_t sheet = 0; sheet < sheets; ++sheet) {
         if (begin[sheet] == begin[sheet + 1]) continue;
@@ -827,7 +832,7 @@ SurfaceLines bent_parts(base::Memory& memory, const SurfaceLines& lines, const b
                         CreaseSide side, double lower, double upper) {
     const Curves& curves = lines.curves;
     HRBFNPR_ASSERT(of.size() == curves.count());
-    SurfaceLines bent(memory); // lines that are sharp enough somewhere, with angles to this side
+    SurfaceLines bent(memory); // lines that bend sharply enough somewhere; angles are positive on this side
     LineBuilder builder(bent, true);
     base::Array<double> above(memory);
     for (std::int64_t c = 0; c < curves.count(); ++c) {
