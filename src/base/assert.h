@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Invariants that hold unless the library itself is wrong: debug and sanitizer builds check them, release builds do
-// not. A caller's possible mistake is no invariant: it is always checked, and fails with a message.
+// Checks of conditions that are true unless the library has a bug. Debug and sanitizer builds check them; release
+// builds do not. Mistakes that a caller can make are not checked in this way: they are always checked, and fail with a
+// message.
 #pragma once
 
 #if defined(NDEBUG) && !defined(HRBFNPR_ASSERTS)

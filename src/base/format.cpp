@@ -25,7 +25,7 @@ void format_text(char* destination, std::size_t capacity, const char* format, st
     const locale_t hosts = plain != nullptr ? uselocale(plain) : nullptr;
     std::vsnprintf(destination, capacity, format, arguments);
     if (plain == nullptr) return;
-    uselocale(hosts); // the locale of this thread
+    uselocale(hosts); // restore the host's locale for this thread
     freelocale(plain);
 }
 #endif

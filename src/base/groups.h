@@ -11,8 +11,8 @@ namespace hrbfnpr::base {
 
 class Groups {
 public:
-    // for_items(put) calls put(group, item) for every item. It is called twice, and must put the same items both times.
-    // The items of a group keep the order in which they were put.
+    // for_items(put) must call put(group, item) for every item. It is called twice, and must make the same calls both
+    // times. The items of a group keep the order of the calls.
     template <class ForItems>
     Groups(Memory& memory, std::int64_t groups, ForItems&& for_items) : begin_(memory, groups + 2), item_(memory) {
         HRBFNPR_ASSERT(groups >= 0);

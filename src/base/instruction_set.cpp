@@ -9,10 +9,11 @@ namespace hrbfnpr::base {
 namespace {
 
 #if defined(__x86_64__) && defined(__GNUC__)
-// Tests bits by hand, because the compiler's own __builtin_cpu_supports brings a global and a constructor along.
+// Returns whether the bits are set. The compiler's __builtin_cpu_supports is not used, because it needs a global
+// variable and a constructor.
 [[nodiscard]] constexpr bool has_bits(unsigned word, unsigned bits) noexcept { return (word & bits) == bits; }
 
-// Returns a mask of the registers that the operating system saves for each thread.
+// Returns a bit mask of the registers that the operating system saves for each thread.
 [[nodiscard]] unsigned saved_registers() noexcept {
     unsigned a = 0;
     unsigned b = 0;
@@ -26,8 +27,8 @@ namespace {
 }
 
 [[nodiscard]] InstructionSet best_instruction_set() noexcept {
-    constexpr unsigned ymm = 0x6;  // XMM and YMM registers
-    constexpr unsigned zmm = 0xe6; // also ZMM and mask registers
+    constexpr unsigned ymm = 0x6;  // mask for XMM and YMM registers
+    constexpr unsigned zmm = 0xe6; // mask for XMM, YMM, ZMM and mask registers
     unsigned a = 0;
     unsigned b = 0;
     unsigned c = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A growable list of objects from a Memory, for objects that base::Array cannot hold.
+// A growable list of objects, in memory from a Memory. It is for objects that base::Array cannot hold.
 #pragma once
 
 #include "base/memory.h"

@@ -12,11 +12,11 @@
 
 namespace hrbfnpr::base {
 
-// The number of elements between two checks for cancellation: 2 MiB of them.
+// The number of elements between two checks for cancellation. They take 2 MiB.
 template <class T>
 constexpr std::int64_t at_once = std::max<std::int64_t>(1, (std::int64_t{1} << 21) / std::int64_t{sizeof(T)});
 
-// Does what array.reserve(capacity) does. If the array grows, its elements are copied.
+// Works like array.reserve(capacity). If the array grows, its elements are copied.
 template <class T>
 void reserve_long(Array<T>& array, std::int64_t capacity, const Progress& progress) {
     progress.check();
@@ -33,7 +33,7 @@ void reserve_long(Array<T>& array, std::int64_t capacity, const Progress& progre
     array = std::move(grown);
 }
 
-// Does what array.resize(size) does: the elements that it adds are zero.
+// Works like array.resize(size). Added elements are zero.
 template <class T>
 void resize_long(Array<T>& array, std::int64_t size, const Progress& progress) {
     reserve_long(array, size, progress);
@@ -44,7 +44,8 @@ void resize_long(Array<T>& array, std::int64_t size, const Progress& progress) {
     array.resize(size);
 }
 
-// Reserves memory for `capacity` elements and touches it, so that push_back never touches a page for the first time.
+// Reserves memory for `capacity` elements and touches it, so that later push_back calls never touch a page for the
+// first time.
 template <class T>
 void make_room_long(Array<T>& array, std::int64_t capacity, const Progress& progress) {
     const std::int64_t size = array.size();
@@ -52,7 +53,7 @@ void make_room_long(Array<T>& array, std::int64_t capacity, const Progress& prog
     array.resize_for_overwrite(size);
 }
 
-// Does what array.push_back(value) does. `value` may be an element of the array.
+// Works like array.push_back(value). `value` may be an element of the array.
 template <class T>
 void push_back_long(Array<T>& array, T value, const Progress& progress) {
     if (const std::int64_t size = array.size(); size > at_once<T> && size == array.bytes() / std::int64_t{sizeof(T)})

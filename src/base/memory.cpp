@@ -12,26 +12,26 @@
 namespace hrbfnpr::base {
 namespace {
 
-// Smaller arrays gain little from huge pages, and may take up to one huge page more than was asked for.
+// Smaller arrays gain little from huge pages, and may take up to one huge page more than requested.
 constexpr std::uint64_t large = std::uint64_t{4} << 20U;
 
-// Asks for huge pages where the system gives them on request, as Linux does by default. A cancelled call waits until
-// its large arrays are freed; with huge pages this takes next to no time instead of 0.1 ms a megabyte. The first touch
-// takes a quarter of the time if huge pages are at hand, and longer if the system (or the host of a virtual machine)
-// has to find them first.
+// Asks for huge pages where the system provides them on request, as Linux does by default. A cancelled call must wait
+// until its large arrays are freed. With huge pages this takes almost no time, instead of 0.1 ms per megabyte. The
+// first touch takes a quarter of the time if huge pages are available, and longer if the system or the host of a
+// virtual machine must find them first.
 void ask_for_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::uint64_t size) noexcept {
 #if defined(__linux__)
-    constexpr std::uintptr_t page = 4096; // a system with larger pages refuses the call, without any effect
+    constexpr std::uintptr_t page = 4096; // a system with larger pages rejects the call, which is harmless
     const auto address = reinterpret_cast<std::uintptr_t>(memory);
     const std::uintptr_t inward = (page - address % page) % page;
-    const int before = errno; // errno of the host
+    const int before = errno; // the host's errno, which is restored
     madvise(static_cast<char*>(memory) + inward, static_cast<std::size_t>(size) - inward, MADV_HUGEPAGE);
     errno = before;
 #endif
 }
 
 void* default_allocate(void* /*user*/, std::uint64_t size, std::uint64_t alignment) {
-    if (size > std::numeric_limits<std::size_t>::max()) return nullptr; // possible with 32-bit pointers
+    if (size > std::numeric_limits<std::size_t>::max()) return nullptr; // possible if pointers have 32 bits
     void* const memory = ::operator new (static_cast<std::size_t>(size),
                                          std::align_val_t{static_cast<std::size_t>(alignment)}, std::nothrow);
     if (memory != nullptr && size >= large) ask_for_huge_pages(memory, size);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The context's allocator, which counts the bytes, and the owning array that uses it.
+// The context's allocator, which counts bytes, and an array that owns memory from it.
 #pragma once
 
 #include "base/status.h"
@@ -18,10 +18,10 @@ namespace hrbfnpr::base {
 using AllocateFn = void* (*)(void* user, std::uint64_t size, std::uint64_t alignment);
 using DeallocateFn = void (*)(void* user, void* memory, std::uint64_t size, std::uint64_t alignment);
 
-// Thread-safe.  Everything whose size depends on the data is allocated here.
+// Thread-safe. All memory whose size depends on the data is allocated here.
 class Memory {
 public:
-    static constexpr std::uint64_t alignment = 64; // a cache line, and the widest vector
+    static constexpr std::uint64_t alignment = 64; // the size of a cache line and of the widest SIMD vector
 
     Memory() noexcept;
     Memory(AllocateFn give, DeallocateFn take_back, void* user) noexcept;
@@ -43,8 +43,8 @@ private:
     std::atomic<std::int64_t> peak_{0};
 };
 
-// A growable array of trivial elements from a Memory.  Elements that resize()
-// adds are zero.  The Memory must outlive the array.
+// A growable array of trivial elements, in memory from a Memory. Elements that resize() adds are zero. The Memory must
+// outlive the array.
 template <class T>
 class Array {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -99,7 +99,7 @@ public:
         size_ = size;
     }
 
-    // The elements that it adds are uninitialized: for arrays that are about to be filled on all threads.
+    // Resizes without initializing the added elements, for arrays that are then filled on all threads.
     void resize_for_overwrite(std::int64_t size) {
         reserve(size);
         size_ = size;
@@ -107,7 +107,7 @@ public:
 
     void push_back(const T& value) {
         if (size_ == capacity_) {
-            const T copy = value; // `value` may live in the memory that reserve gives back
+            const T copy = value; // a copy, because `value` may be in the memory that reserve() frees
             reserve(capacity_ < 16 ? 16 : capacity_ + capacity_ / 2);
             data_[size_++] = copy;
             return;
@@ -141,7 +141,8 @@ private:
     std::int64_t capacity_ = 0;
 };
 
-// One object from a Memory: the working memory of a task, which may be too large for the stack of a host's thread.
+// A single object in memory from a Memory. It is for working memory of a task that may be too large for the stack of a
+// host's thread.
 template <class T>
 class OwnedObject {
 public:

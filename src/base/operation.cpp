@@ -8,7 +8,7 @@
 namespace hrbfnpr::base {
 namespace {
 
-constexpr double longest_silence = 0.02; // seconds
+constexpr double longest_silence = 0.02; // longest time without a callback, in seconds
 
 } // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Progress and cancelling of one long call, and the share of it that a stage sees.
+// Progress and cancellation of a long call, and the share of the progress that a stage of the call has.
 #pragma once
 
 #include "base/clock.h"
@@ -27,14 +27,15 @@ public:
         user_ = user;
     }
 
-    // Makes this a part of another operation: a cancel of `parent` also cancels this one.  Call it before begin().
-    // `parent` must outlive this.
+    // Makes this operation a part of another: if `parent` is cancelled, so is this operation. Call it before begin().
+    // `parent` must outlive this object.
     void set_parent(const Operation* parent) noexcept { parent_ = parent; }
 
-    // Any thread may call this.  Progress never falls; the callback runs only on the thread of begin().
+    // Reports progress. Any thread may call this. Progress never decreases. The callback runs only on the thread that
+    // called begin().
     void report(double progress) noexcept;
-    // Any thread may call this. On the thread of begin() it calls the callback if the last call is a while ago, so that
-    // a host hears from a call whose progress stands still, and may cancel it.
+    // Any thread may call this. On the thread that called begin(), it calls the callback if the previous callback was
+    // some time ago. So a host can cancel a call even while its progress does not change.
     void call_back_after_silence() noexcept;
 
 private:
@@ -46,14 +47,14 @@ private:
     ProgressFn callback_ = nullptr;
     void* user_ = nullptr;
     std::thread::id entered_;
-    Stopwatch silence_; // Time since the last call of the callback; used only on the thread of begin().
+    Stopwatch silence_; // time since the last callback; used only on the thread that called begin()
 };
 
 template <class Number>
 class CancellableRange;
 
-// A stage's share [from, to] of an operation's progress.  Copies are cheap. By default there is no operation to watch
-// it.
+// A stage's share [from, to] of an operation's progress. Copies are cheap. A default object has no operation: it
+// reports nothing and is never cancelled.
 class Progress {
 public:
     Progress() noexcept = default;
@@ -62,11 +63,11 @@ public:
     [[nodiscard]] bool is_watched() const noexcept { return operation_ != nullptr; }
     // Returns the part of this stage between the fractions `from` and `to`.
     [[nodiscard]] Progress part(double from, double to) const noexcept;
-    // For steps whose share is not known: they check for a cancel, and the progress stands still.
+    // Returns a Progress for steps whose share is unknown. They check for cancellation but report no progress.
     [[nodiscard]] Progress without_progress() const noexcept { return part(0.0, 0.0); }
-    // Reports that `fraction` of this stage is done, and throws Error{cancelled} after a cancel.
+    // Reports that `fraction` of this stage is done. Throws Error{cancelled} if the operation was cancelled.
     void update(double fraction) const;
-    // Throws Error{cancelled} if the operation was cancelled; reports no progress.
+    // Throws Error{cancelled} if the operation was cancelled. Reports no progress.
     void check() const {
         if (operation_ != nullptr) throw_if_cancelled();
     }

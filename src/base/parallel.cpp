@@ -13,15 +13,15 @@
 namespace hrbfnpr::base {
 namespace {
 
-// The tasks of one for_each. It keeps the exception of the lowest index, because an exception that leaves an OpenMP
-// region, a worker or a host's job would end the process.
+// The tasks of one for_each call. It catches exceptions and keeps that of the lowest index, because an exception that
+// leaves an OpenMP region, a worker thread or a host's job would end the process.
 class TaskGuard {
 public:
     TaskGuard(std::int64_t count, TaskFn task, void* context) noexcept
         : count_(count), task_(task), context_(context) {}
 
     static void run_task(void* guarded, std::int64_t index) noexcept { static_cast<TaskGuard*>(guarded)->run(index); }
-    // Does the same for a host's job system, and counts the calls.
+    // Runs a task like run_task(), for a host's job system, and counts the calls.
     static void run_task_of_host(void* guarded, std::int64_t index) noexcept {
         auto& self = *static_cast<TaskGuard*>(guarded);
         if (index < 0 || index >= self.count_) {
@@ -37,7 +37,7 @@ public:
         if (error_) std::rethrow_exception(error_);
     }
 
-    // Checks that the host ran each index exactly once, and all of them before run_tasks returned.
+    // Checks that the host ran each index exactly once, and that all of them ended before run_tasks returned.
     void check_host() const {
         const std::int64_t calls = calls_.load(std::memory_order_acquire);
         if (bad_indices_.load(std::memory_order_relaxed) != 0)
@@ -71,8 +71,9 @@ private:
         }
     }
 
-    // Two multisets of indices with equal counts and equal sums of weights are the same, except for one case in 2^64
-    // (SplitMix64: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
+    // Returns a pseudorandom weight for an index. If two multisets of indices have equal counts and equal sums of
+    // weights, they are equal, except with a probability of 2^-64 (SplitMix64: Steele, Lea, Flood, "Fast splittable
+    // pseudorandom number generators", OOPSLA 2014).
     static std::uint64_t weight(std::int64_t index) noexcept {
         std::uint64_t z = (static_cast<std::uint64_t>(index) + 1) * 0x9E3779B97F4A7C15U;
         z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
@@ -87,7 +88,7 @@ private:
     std::atomic<std::int64_t> first_failed_{std::numeric_limits<std::int64_t>::max()};
     std::mutex mutex_;
     std::exception_ptr error_;
-    std::atomic<std::int64_t> calls_{0}, bad_indices_{0}; // calls by a host
+    std::atomic<std::int64_t> calls_{0}, bad_indices_{0}; // the number of calls by a host
     std::atomic<std::uint64_t> sum_{0};
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Runs work on all threads, by a pool of the library, by OpenMP or by the host's job system.
+// Runs work on all threads. The threads belong to the library's pool, to OpenMP, or to the host's job system.
 //
-// The result must not depend on the thread count. Cut work by size (for_chunks), never by thread, and combine partial
-// results in the order of the chunks.
+// Results must not depend on the number of threads. So work must be divided by size (for_chunks), never by thread, and
+// partial results must be combined in the order of the chunks.
 #pragma once
 
 #include "base/operation.h"
@@ -19,24 +19,26 @@ using RunTasksFn = void (*)(void* user, TaskFn task, void* task_context, std::in
 
 enum class ThreadBackend : std::uint32_t { automatic = 0, pool = 1, openmp = 2, run_tasks = 3, serial = 4 };
 
-// Copies share their pool, which ends with the last copy.
+// Copies share their thread pool, which ends with the last copy.
 class Parallel {
 public:
-    Parallel() noexcept = default; // serial
-    // threads: 0 = all processors, 1 = serial.  If run_tasks is NULL, a pool is used.
+    Parallel() noexcept = default; // runs everything on the calling thread
+    // `threads` is 0 for all processors, or 1 for the calling thread alone. If run_tasks is NULL, the library's pool is
+    // used.
     Parallel(int threads, RunTasksFn run_tasks, void* user);
-    // Uses the pool of the OpenMP runtime; serial in a build without OpenMP (openmp_is_built_in).
+    // Uses the pool of the OpenMP runtime. In a build without OpenMP (openmp_is_built_in) it runs everything on the
+    // calling thread.
     [[nodiscard]] static Parallel openmp(int threads) noexcept;
 
-    // From now on cancelling the operation of `progress` ends each loop before its next task. Progress() ends the
-    // watch. Do not call this while a loop runs. Copies of this object are not affected.
+    // From now on, each loop ends before its next task if the operation of `progress` is cancelled. watch(Progress())
+    // stops this. Do not call it while a loop runs. It does not affect copies of this object.
     void watch(const Progress& progress) noexcept { watch_ = progress; }
 
     [[nodiscard]] int threads() const noexcept { return threads_; }
     [[nodiscard]] ThreadBackend backend() const noexcept { return backend_; }
 
-    // Calls f(i) once for each i in [0, count), concurrently, and returns when all calls have ended.  If some calls
-    // throw, the exception of the lowest index is rethrown here, and higher indices that have not started are skipped.
+    // Calls f(i) once for each i in [0, count), concurrently, and returns when all calls have ended. If calls throw,
+    // the exception of the lowest index is rethrown here; calls with higher indices that have not started are skipped.
     template <class F>
     void for_each(std::int64_t count, F&& f) const {
         using Function = std::remove_reference_t<F>;
@@ -52,7 +54,7 @@ public:
                  [&](std::int64_t chunk) { f(chunk * grain, std::min(count, (chunk + 1) * grain)); });
     }
 
-    // Does what for_each and for_chunks do, with a check for cancellation before each call.
+    // Work like for_each and for_chunks, with a check for cancellation before each call.
     template <class F>
     void for_each(std::int64_t count, const Progress& progress, F&& f) const {
         for_each(count, [&](std::int64_t i) {

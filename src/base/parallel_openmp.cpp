@@ -17,14 +17,15 @@ namespace hrbfnpr::base {
 
 namespace {
 
-// libgomp's pool does not survive fork(): its first region in the child hangs for ever. So the process of the first
-// parallel region is remembered, and every other process runs serially.
+// Returns whether this process may use OpenMP's threads. libgomp's pool does not survive fork(): the first region in a
+// child process hangs for ever. So the process of the first parallel region is remembered, and all other processes run
+// serially.
 bool team_is_ours() noexcept {
     static std::atomic<std::int64_t> team_process{0};
     const std::int64_t self = process_id();
     std::int64_t owner = 0;
     if (!team_process.compare_exchange_strong(owner, self)) return owner == self;
-    // The runtime's idle threads never end, so its code must stay when this library is unloaded.
+    // The runtime's idle threads never end, so its code must stay loaded when this library is unloaded.
     keep_shared_object(reinterpret_cast<const void*>(&omp_get_num_procs));
     return true;
 }

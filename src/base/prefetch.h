@@ -6,17 +6,17 @@
 
 namespace hrbfnpr::base {
 
-// Prefetches the cache lines of `count` elements. It never fails, whatever the address.
+// Prefetches the cache lines of `count` elements. Invalid addresses are harmless.
 template <class T>
 inline void prefetch(const T* data, std::int64_t count) noexcept {
     const auto* const bytes = reinterpret_cast<const char*>(data);
     const auto size = count * static_cast<std::int64_t>(sizeof(T));
     for (std::int64_t at = 0; at < size; at += 64) __builtin_prefetch(bytes + at);
-    // GCC treats a function that only prefetches as one without effects, and removes the calls to it.
+    // Without this, GCC regards the function as one without effects, and removes calls to it.
     __asm__ volatile("");
 }
 
-// Prefetches into the second-level cache: for more elements than the first level can hold until they are used.
+// Prefetches into the second-level cache, for data that do not fit into the first level.
 template <class T>
 inline void prefetch_many(const T* data, std::int64_t count) noexcept {
     const auto* const bytes = reinterpret_cast<const char*>(data);

@@ -11,7 +11,7 @@
 
 namespace hrbfnpr::base {
 
-// The use of a number.  Numbers of different purposes are independent.
+// What a random number is used for. Numbers of different purposes are independent.
 enum class Purpose : std::uint32_t {
     box_jitter = 1,
     stipple_jitter = 2,
@@ -45,7 +45,7 @@ using Philox = std::array<std::uint32_t, 4>;
     return counter;
 }
 
-// Four independent uniform numbers in [0,1) with 32 bits each.  Other values of `stream` give further numbers.
+// Returns four independent uniform numbers in [0,1) with 32 bits each. Other values of `stream` give other numbers.
 [[nodiscard]] inline std::array<double, 4> uniform4(std::uint64_t seed, std::uint64_t index, Purpose purpose,
                                                     std::uint32_t stream = 0) noexcept {
     const Philox bits = philox(seed, {static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(index >> 32U),

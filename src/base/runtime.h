@@ -15,16 +15,16 @@ enum class LogLevel : std::int32_t { debug = 0, info = 1, warning = 2 };
 using LogFn = void (*)(void* user, std::int32_t level, const char* message);
 
 class Runtime {
-    Memory own_memory_; // comes first, because `memory` may refer to it
+    Memory own_memory_; // declared first, because `memory` may refer to it
 
 public:
-    Runtime() = default; // all threads, no log
+    Runtime() = default; // uses all threads and has no log
     Runtime(AllocateFn allocate, DeallocateFn deallocate, void* allocator_user, Parallel threads,
             InstructionSet highest, LogFn log_function, void* log_user, LogLevel least = LogLevel::debug) noexcept
         : own_memory_(allocate, deallocate, allocator_user), parallel(std::move(threads)),
           instruction_set(choose_instruction_set(highest)), log_(log_function), log_user_(log_user),
           least_level_(least) {}
-    // Uses the memory and log of `host`, which must outlive this, and threads that are watched separately.
+    // Uses the memory and log of `host`, which must outlive this object, but other threads.
     Runtime(const Runtime& host, Parallel threads) noexcept
         : memory(host.memory), parallel(std::move(threads)), instruction_set(host.instruction_set), log_(host.log_),
           log_user_(host.log_user_), least_level_(host.least_level_) {}
@@ -32,7 +32,8 @@ public:
     Runtime& operator=(const Runtime&) = delete;
     ~Runtime() = default;
 
-    // Call this only from the thread that entered the library.  Messages below the least level are not even formatted.
+    // Writes a log message. Call it only on the thread that entered the library. Messages below the log's least level
+    // are not formatted.
     [[gnu::format(printf, 3, 4)]] void log(LogLevel level, const char* format, ...) const noexcept;
 
     Memory& memory{own_memory_};

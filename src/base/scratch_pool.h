@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scratch memory for calls that take a const handle. Each call takes one scratch object from the pool and returns it at
-// the end, so that later calls allocate nothing.
+// A pool of scratch memory for calls on const handles. Each call takes one scratch object from the pool and returns it
+// at the end, so later calls allocate nothing.
 #pragma once
 
 #include "base/runtime.h"
@@ -11,7 +11,7 @@
 
 namespace hrbfnpr::base {
 
-// The pool makes each T from the Runtime. It ends up with one T for each call that runs at the same time.
+// Each T is made from the Runtime. The number of objects grows to the number of calls that run at the same time.
 template <class T>
 class ScratchPool {
     struct Node {

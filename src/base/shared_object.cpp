@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/shared_object.h"
 
-#if __has_include(<dlfcn.h>) && !defined(__EMSCRIPTEN__) // dladdr ends an Emscripten program
+// Emscripten has dladdr, but calling it ends the program.
+#if __has_include(<dlfcn.h>) && !defined(__EMSCRIPTEN__)
 #include <dlfcn.h>
 #define HRBFNPR_HAS_SHARED_OBJECTS 1
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shared objects that must stay loaded while threads run their code.
+// Keeps shared objects loaded while threads run their code.
 #pragma once
 
 namespace hrbfnpr::base {
@@ -9,7 +9,7 @@ namespace hrbfnpr::base {
 [[nodiscard]] void* hold_shared_object(const void* address) noexcept;
 void release_shared_object(void* held) noexcept; // does nothing for NULL
 
-// Keeps the shared object loaded until the process ends.  A second call has no effect.
+// Keeps the shared object that contains `address` loaded until the process ends. A second call has no effect.
 void keep_shared_object(const void* address) noexcept;
 
 } // namespace hrbfnpr::base

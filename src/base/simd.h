@@ -29,7 +29,8 @@
 #else
 #define HRBFNPR_PICK_AVX2(set, name)
 #endif
-// Names `name` in the namespace of the instruction set `set`, or else of the one that the build was compiled for.
+// The function `name` from the namespace of the instruction set `set` or, if the build has no code for this set, from
+// that of the build's baseline.
 #define HRBFNPR_PICK(set, name)                                                                                        \
     (HRBFNPR_PICK_AVX512(set, name) HRBFNPR_PICK_AVX2(set, name) HWY_CONCAT(N_, HWY_STATIC_NAME)::name)
 #if HWY_STATIC_TARGET == HWY_SCALAR
@@ -47,8 +48,8 @@
 #endif
 #endif
 
-// Use it once. It defines in `space` the function `name`, which takes an instruction set and returns the result of that
-// set's `pick`.
+// Use this once in a file. It defines the function `name` in the namespace `space`. The function takes an instruction
+// set and returns the result of that set's `pick`.
 #undef HRBFNPR_CHOOSE
 #if HWY_ONCE
 #define HRBFNPR_CHOOSE(space, type, name, pick)                                                                        \

@@ -17,11 +17,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<double>;
 using V = hn::Vec<D>;
 
-// Squared distances are clamped to at least this, because inverse_root() starts in floats, whose smallest is 1.2e-38.
-// The clamp does not change results: the factor that multiplies the inverse root vanishes there.
+// Squared distances are raised to at least this, because inverse_root() starts in floats, whose smallest is 1.2e-38.
+// This does not change results, because the factor of the inverse root is 0 there.
 constexpr double smallest_r2 = 1e-37;
 
-// One step from y = (1 - e)^(1/2) / sqrt(x), by the series of (1 - e)^(-1/2). The first omitted term is 35/128 e^4.
+// Refines y = (1 - e)^(1/2) / sqrt(x), where e is small, by the series of (1 - e)^(-1/2). The first omitted term is
+// 35/128 e^4.
 HWY_INLINE V polish_inverse_root(V x, V y) {
     const D d;
     const V e = hn::NegMulAdd(hn::Mul(x, y), y, hn::Set(d, 1.0));
@@ -41,9 +42,10 @@ HWY_INLINE V polish_rough_inverse_root(V x, V y) {
     return hn::MulAdd(hn::Mul(y, e), p, y);
 }
 
-// Computes 1 / sqrt(x) for smallest_r2 <= x < 1e38 in two steps. rough_inverse_root() gives the processor's estimate,
-// if the processor has one. finish_inverse_root() refines it to two units in the last place.  A division and a square
-// root would take longer than all other work on a pair.
+// 1 / sqrt(x) for smallest_r2 <= x < 1e38 is computed in two steps. rough_inverse_root() returns the processor's
+// estimate, if the processor has one. finish_inverse_root() refines it to two units in the last place.
+//
+// A division and a square root would take longer than the rest of the work for a pair.
 HWY_INLINE V rough_inverse_root(V x) {
 #if HWY_TARGET == HWY_AVX3
     return V{_mm512_rsqrt14_pd(x.raw)};
@@ -58,7 +60,7 @@ HWY_INLINE V finish_inverse_root(V x, [[maybe_unused]] V rough) {
 #if HWY_TARGET == HWY_AVX3
     return polish_inverse_root(x, rough);
 #elif HWY_TARGET == HWY_AVX2
-    return polish_rough_inverse_root(x, rough); // |e| is at most 1.5 / 2^11, so e^5 is 2^-52
+    return polish_rough_inverse_root(x, rough); // |e| is at most 1.5 / 2^11, so e^5 is about 2^-52
 #else
     return hn::Div(hn::Set(D(), 1.0), hn::Sqrt(x));
 #endif

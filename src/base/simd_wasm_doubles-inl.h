@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Vectors of doubles for WebAssembly, because Highway before version 1.1 has only floats there. Names, arguments and
-// results are those that Highway has for other processors.
+// results are as in Highway for other processors.
 #pragma once
 
 #include <cstddef>

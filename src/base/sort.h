@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sorts and merges long arrays, and checks for cancellation meanwhile.
+// Sorting and merging of long arrays, with checks for cancellation.
 #pragma once
 
 #include "base/operation.h"
@@ -9,7 +9,7 @@
 
 namespace hrbfnpr::base {
 
-// Does what std::sort does. No two elements may be equal, so that the order is the same with any standard library.
+// Works like std::sort. All elements must be different, so that the order is the same with any standard library.
 template <class T, class Less>
 void sort_long(T* begin, T* end, const Less& less, const Progress& progress = {}) {
     constexpr std::ptrdiff_t at_once = 65536;
@@ -24,7 +24,7 @@ void sort_long(T* begin, T* end, const Less& less, const Progress& progress = {}
     std::sort(begin, end, less);
 }
 
-// Does what std::merge does. `to` must not overlap the inputs.
+// Works like std::merge. `to` must not overlap the inputs.
 template <class T, class Less>
 void merge_long(const T* a, const T* a_end, const T* b, const T* b_end, T* to, const Less& less,
                 const Progress& progress = {}) {

@@ -12,7 +12,7 @@ void copy_message(char* destination, int capacity, const char* text) noexcept {
     auto length = static_cast<int>(std::strlen(text));
     if (length >= capacity) {
         length = capacity - 1;
-        // Step back over UTF-8 continuation bytes, so that no character is cut in two.
+        // Step back over the continuation bytes of UTF-8, so that no character is cut in two.
         while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;
     }
     std::memcpy(destination, text, static_cast<std::size_t>(length));

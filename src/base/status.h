@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Failures inside the library: one exception type that carries a status and a message.
+// Failures inside the library. They are exceptions of a single type with a status and a message.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace hrbfnpr {
 
-// Same numbers as HRBFNPR_STATUS_* in hrbfnpr.h (src/api checks it at compile time).
+// The values equal the constants HRBFNPR_STATUS_* in hrbfnpr.h (src/api checks this at compile time).
 enum class Status : std::int32_t {
     ok = 0,
     invalid_argument = -1,
@@ -24,7 +24,7 @@ enum class Status : std::int32_t {
     internal = -99
 };
 
-// Holds its message in place, so that throwing one never allocates a string.
+// An error with its message in a fixed array, so that throwing it does not allocate a string.
 class Error : public std::exception {
 public:
     static constexpr int message_capacity = 248;
@@ -42,7 +42,7 @@ private:
 // Throws an Error with a printf-formatted message.
 [[noreturn]] [[gnu::format(printf, 2, 3)]] void fail(Status status, const char* format, ...);
 
-// Copies `text` into `destination` (terminated), cutting at a UTF-8 character boundary.
+// Copies `text` and a terminating zero into `destination`. Text that is too long is cut at a UTF-8 character boundary.
 void copy_message(char* destination, int capacity, const char* text) noexcept;
 
 } // namespace hrbfnpr

@@ -23,7 +23,7 @@ namespace {
 // smaller.
 constexpr std::size_t stack_size = std::size_t{2} << 20U;
 
-// Blocks signals while it lives. New threads inherit the blocked signals.
+// Blocks all signals of the thread as long as the object exists. New threads inherit the blocked signals.
 class SignalBlocker {
 public:
 #if defined(HRBFNPR_IS_POSIX)
@@ -109,7 +109,7 @@ void leave_processor(int processor) noexcept {
     cpu_set_t others = allowed;
     CPU_CLR(static_cast<unsigned>(processor), &others);
     if (CPU_COUNT(&others) == 0) return;
-    // The first call moves the thread. The second call restores the affinity, and the thread stays where it is.
+    // The first call moves the thread. The second call restores the affinity, but the thread stays where it is.
     if (sched_setaffinity(0, sizeof others, &others) == 0) sched_setaffinity(0, sizeof allowed, &allowed);
 }
 

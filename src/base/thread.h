@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A thread that the library starts.  thread.cpp is the only file that calls the system's thread functions.
+// A thread that the library starts. Only thread.cpp calls the system's thread functions.
 #pragma once
 
 #include <cstdint>
@@ -22,10 +22,11 @@ public:
     Thread& operator=(const Thread&) = delete;
 
     // Runs work(user) on a new thread with this name (at most 15 characters).  Returns false if the system gives no
-    // thread. Only the system allocates memory for it.
+    // Runs work(user) on a new thread with this name (at most 15 characters). Returns false if the system cannot start
+    // a thread. Only the system allocates memory for it.
     //
-    // The thread blocks all signals of the host, except those that its own faults raise and a profiler's. So a host
-    // that waits for signals on its own threads still gets them there.
+    // The thread blocks all signals, except those of its own faults and of profilers. So a host that waits for signals
+    // on its own threads still receives them there.
     [[nodiscard]] bool start(const char* name, Work work, void* user) noexcept;
     // Call this once after each start that returned true.
     void join() noexcept;
@@ -41,17 +42,17 @@ private:
 #endif
 };
 
-// The number of processors that this process may run on: its affinity, where the system tells it.
+// Returns the number of processors that this process may run on. It uses the affinity if the system reports it.
 [[nodiscard]] int processor_count() noexcept;
 
-// The processor that this thread runs on, or -1 where the system does not tell it.
+// Returns the processor that this thread runs on, or -1 if the system does not report it.
 [[nodiscard]] int current_processor() noexcept;
 
-// Moves this thread to another processor that it may run on, if there is one. Afterwards the system may move it to any
-// processor that was allowed before.
+// Moves this thread to another processor if it may run on another. Afterwards the system may move it to any processor
+// that was allowed before.
 void leave_processor(int processor) noexcept;
 
-// Differs between a process and its forked children.  It is always the same where there is no fork().
+// Returns a number that differs between a process and its forked children. It is constant on systems without fork().
 [[nodiscard]] std::int64_t process_id() noexcept;
 
 } // namespace hrbfnpr::base

@@ -12,8 +12,8 @@
 namespace hrbfnpr::base {
 namespace {
 
-// Long enough for the steps of one frame or of one solver to follow each other without a system call, and too short for
-// other processes to miss the processor.
+// How long a thread waits actively, in nanoseconds. It is long enough for the next step of a frame or solver to start
+// without a system call, and so short that other processes do not lack the processor.
 constexpr std::int64_t patience_nanoseconds = 20'000;
 
 void relax() noexcept {
@@ -24,10 +24,10 @@ void relax() noexcept {
 #endif
 }
 
-// Returns true as soon as the condition holds, or false when the patience has run out.
+// Waits actively. Returns true as soon as the condition holds, or false after patience_nanoseconds.
 template <class Condition>
 bool spin_until(const Condition& condition) noexcept {
-    constexpr int looks = 16; // between two readings of the clock
+    constexpr int looks = 16; // the number of tests of the condition between two readings of the clock
     for (const Stopwatch watch; watch.nanoseconds() < patience_nanoseconds;)
         for (int look = 0; look < looks; ++look) {
             if (condition()) return true;
@@ -41,8 +41,8 @@ bool spin_until(const Condition& condition) noexcept {
 // ---- Job -----------------------------------------------------------------------------------
 
 void Job::open(std::int64_t count, TaskFn task, void* context, std::thread::id caller) noexcept {
-    // Closes the job under a new number before it changes anything else: a thread that reads the members written below
-    // can no longer claim a task under the old number.
+    // First closes the job by giving it a new number. Then a thread that has read the members below can no longer claim
+    // a task under the old number.
     const std::uint64_t number = ((next_.load(std::memory_order_relaxed) >> index_bits) + 1) << index_bits;
     next_.store(number | index_mask, std::memory_order_release);
     count_.store(static_cast<std::uint64_t>(count), std::memory_order_release);
@@ -70,7 +70,8 @@ bool Job::work() noexcept {
         next = next_.load(std::memory_order_acquire);
     }
     if (done == 0) return false;
-    // This is sequentially consistent, like wait_for_claimed_tasks(): one of the two threads sees the other's change.
+    // This operation and the one in wait_for_claimed_tasks() are sequentially consistent, so that at least one of the
+    // two threads sees the other's change.
     if (left_.fetch_sub(done) == done && awaited_.load()) {
         const std::lock_guard lock(mutex_);
         ended_.notify_all();
@@ -81,9 +82,9 @@ bool Job::work() noexcept {
 bool Job::run_unclaimed_tasks() noexcept {
     const std::uint64_t index = next_.load(std::memory_order_acquire) & index_mask;
     if (index >= count_.load(std::memory_order_acquire)) return false;
-    // A system whose other processors are busy wakes a worker on its caller's processor and leaves it there for long.
-    // There the two take turns and gain nothing. On another busy processor the worker still gets about half of the
-    // time.
+    // If all other processors are busy, a system wakes a worker on its caller's processor and leaves it there for long.
+    // There the two threads take turns and gain nothing. On another busy processor the worker still gets about half of
+    // the time.
     const int processor = processor_.load(std::memory_order_relaxed);
     if (processor >= 0 && processor == current_processor()) leave_processor(processor);
     return work();
@@ -156,11 +157,12 @@ bool Team::is_running_task(std::thread::id self) const noexcept {
 }
 
 void Team::wake(std::int64_t tasks) noexcept {
-    // This is sequentially consistent, like wait_for_event(): one of the two threads sees the other's change.
+    // This operation and the one in wait_for_event() are sequentially consistent, so that at least one of the two
+    // threads sees the other's change.
     event_count_.fetch_add(1);
     const int asleep = asleep_.load();
     if (asleep == 0) return;
-    // After this lock, no worker is between its last look at event_count_ and its sleep.
+    // After this lock, no worker is between its last test of event_count_ and its sleep.
     { const std::lock_guard lock(mutex_); }
     if (tasks >= asleep) {
         woken_.notify_all();
@@ -177,7 +179,7 @@ void Team::main(void* worker) noexcept {
 
 void Team::serve() noexcept {
     for (;;) {
-        // The destructor sets `ending_` before it bumps `event_count_`. Reading `event_count_` first means that this
+        // The destructor sets `ending_` before it increments `event_count_`. `event_count_` is read first, so that this
         // thread either sees `ending_` or wakes at once from its wait.
         const std::uint32_t seen = event_count_.load();
         if (ending_.load()) return;
@@ -223,7 +225,7 @@ int ThreadPool::workers() const noexcept {
 Team& ThreadPool::team() noexcept {
     const std::int64_t self = process_id();
     for (std::int64_t owner = owner_.load(std::memory_order_acquire); owner != self;) {
-        if (owner == -self) { // another thread of this process makes the team
+        if (owner == -self) { // another thread of this process is making the team
             std::this_thread::yield();
             owner = owner_.load(std::memory_order_acquire);
         } else if (owner_.compare_exchange_weak(owner, -self, std::memory_order_acquire)) {

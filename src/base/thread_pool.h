@@ -25,15 +25,16 @@ namespace hrbfnpr::base {
 
 using TaskFn = void (*)(void* task_context, std::int64_t index);
 
-// The tasks of one caller.  Jobs are kept and used again, so that a worker that comes late reads the memory of the next
-// job, which is still valid.
+// The tasks of one caller. Job objects are reused and not freed. So a worker that comes late may read the data of a
+// later job, which is valid memory.
 class alignas(64) Job {
 public:
-    // The caller calls these: open() lets threads claim tasks; finish() works on them and waits for the claimed ones.
+    // The caller calls these. open() lets threads claim tasks. finish() runs unclaimed tasks, and waits for those that
+    // other threads have claimed.
     void open(std::int64_t count, TaskFn task, void* context, std::thread::id caller) noexcept;
     void finish() noexcept;
 
-    // A worker calls this: it runs tasks until none is left to claim.  Returns false if it ran none.
+    // A worker calls this. It runs tasks until all are claimed. Returns false if it ran no task.
     bool run_unclaimed_tasks() noexcept;
 
     [[nodiscard]] bool called_by(std::thread::id thread) const noexcept {
@@ -44,8 +45,8 @@ private:
     bool work() noexcept;
     void wait_for_claimed_tasks() noexcept;
 
-    // The lower bits hold the next task to claim, the higher bits the number of the job, so that no thread claims a
-    // task of one job with data that it has read from another.
+    // The lower bits hold the next task to claim, the higher bits the number of the job. So no thread can claim a task
+    // of one job with data that it read from another job.
     static constexpr unsigned index_bits = 36;
     static constexpr std::uint64_t index_mask = (std::uint64_t{1} << index_bits) - 1;
 
@@ -54,8 +55,8 @@ private:
     std::atomic<TaskFn> task_{nullptr};
     std::atomic<void*> context_{nullptr};
     std::atomic<std::thread::id> caller_{};
-    std::atomic<int> processor_{-1};                 // the caller's processor
-    alignas(64) std::atomic<std::uint64_t> left_{0}; // tasks that have not ended
+    std::atomic<int> processor_{-1};                 // the processor of the caller
+    alignas(64) std::atomic<std::uint64_t> left_{0}; // the number of tasks that have not ended
     std::atomic<bool> awaited_{false};
     std::mutex mutex_;
     std::condition_variable ended_;
@@ -68,13 +69,14 @@ public:
 // The workers, and the jobs that they work on.
 class Team {
 public:
-    // Starts `workers` threads, or fewer if the system does not give them all.
+    // Starts `workers` threads, or fewer if the system cannot start them all.
     explicit Team(int workers) noexcept;
     ~Team();
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
 
-    // Returns false if the caller has to run the job alone: within a task, or if too many other jobs run.
+    // Returns false if the caller must run the job alone, because it is inside a task, or because too many other jobs
+    // are running.
     [[nodiscard]] bool run(std::int64_t count, TaskFn task, void* context) noexcept;
 
     [[nodiscard]] int workers() const noexcept { return started_; }
@@ -99,8 +101,9 @@ private:
     [[nodiscard]] int take_job() noexcept;
 
     std::array<Job, most_jobs> jobs_;
-    std::atomic<std::uint32_t> taken_{0};                   // one bit for each job that has a caller
-    alignas(64) std::atomic<std::uint32_t> event_count_{0}; // counts the jobs that were opened, plus one at the end
+    std::atomic<std::uint32_t> taken_{0}; // a bit for each job that has a caller
+    // The number of jobs that were opened, plus one when the team ends.
+    alignas(64) std::atomic<std::uint32_t> event_count_{0};
     std::atomic<bool> ending_{false};
     std::atomic<int> asleep_{0};
     std::mutex mutex_;
@@ -113,9 +116,9 @@ class ThreadPool {
 public:
     static constexpr int most_threads = Team::most_workers + 1;
 
-    // `threads` counts the caller's thread too: 1 to most_threads.
+    // `threads` includes the caller's thread, and is from 1 to most_threads.
     explicit ThreadPool(int threads) noexcept;
-    // Ends the workers.  No job may be running.
+    // Ends the workers. No job may be running.
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
@@ -123,12 +126,12 @@ public:
     // Calls task(context, i) once for each i in [0, count), and returns when all calls have ended.  No task may throw.
     void run(std::int64_t count, TaskFn task, void* context) noexcept;
 
-    // The number of workers that the system has given; 0 before the first job.
+    // Returns the number of workers that the system started; 0 before the first job.
     [[nodiscard]] int workers() const noexcept;
 
 private:
-    // Returns the team of this process.  A forked child has no threads of its parent, and its copy of the locks may be
-    // held for ever, so it gets a new team in the place of the old one.
+    // Returns the team of this process. A forked child has no threads of its parent, and its copies of the locks may be
+    // held for ever. So it gets a new team.
     [[nodiscard]] Team& team() noexcept;
     [[nodiscard]] Team& stored_team() noexcept { return *std::launder(reinterpret_cast<Team*>(team_storage_)); }
     [[nodiscard]] const Team& stored_team() const noexcept {
@@ -136,10 +139,10 @@ private:
     }
 
     int threads_;
-    // Keeps this library loaded while workers may run its code. The team must not do this itself: in a child that was
-    // forked while another thread made a team, the loader's locks may be held for ever.
+    // Keeps this library loaded while workers may run its code. The team must not do this. In a child that was forked
+    // while another thread made a team, the loader's locks may be held for ever.
     void* library_;
-    std::atomic<std::int64_t> owner_{0}; // the process that owns the team; negative while the team starts
+    std::atomic<std::int64_t> owner_{0}; // id of the process that owns the team; negative while the team starts
     alignas(Team) std::byte team_storage_[sizeof(Team)];
 };
 

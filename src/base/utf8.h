@@ -8,7 +8,7 @@
 
 namespace hrbfnpr::base {
 
-// Tells whether the bytes are Unicode characters, each in its shortest form, without NUL.
+// Returns whether the bytes are valid UTF-8, with each character in its shortest form and without NUL.
 [[nodiscard]] constexpr bool is_utf8(std::string_view text) noexcept {
     for (std::size_t i = 0; i < text.size();) {
         const auto lead = static_cast<std::uint8_t>(text[i++]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Strided views of the caller's memory. They convert every scalar type from and to double. src/api checks a view before
-// any lower room sees it.
+// Strided views of the caller's memory. They convert all scalar types from and to double. src/api checks a view before
+// other code reads it.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace hrbfnpr::base {
 
-// Same numbers as HRBFNPR_SCALAR_*
+// The values equal the constants HRBFNPR_SCALAR_*.
 enum class Scalar : std::uint32_t { float32 = 1, float64 = 2, uint8 = 3, uint32 = 4, int32 = 5, int64 = 6 };
 
 [[nodiscard]] constexpr std::int64_t size_of(Scalar scalar) noexcept {
@@ -21,7 +21,7 @@ namespace detail {
 template <class T>
 [[nodiscard]] inline double read_as(const std::byte* from) noexcept {
     T value;
-    std::memcpy(&value, from, sizeof value); // the caller's elements need not be aligned
+    std::memcpy(&value, from, sizeof value); // memcpy, because the caller's elements may be unaligned
     return static_cast<double>(value);
 }
 
@@ -36,7 +36,7 @@ inline void write_as(std::byte* to, double number) noexcept {
 struct InView {
     const std::byte* data = nullptr;
     std::int64_t count = 0;
-    std::int64_t stride = 0; // bytes, never 0 when count > 0
+    std::int64_t stride = 0; // in bytes; never 0 if count > 0
     Scalar scalar = Scalar::float64;
     std::uint32_t components = 0;
 
@@ -53,7 +53,7 @@ struct InView {
         }
         return 0.0;
     }
-    // For views of integers; exact for int64 too.
+    // Returns an element of a view of integers, exactly even for int64.
     [[nodiscard]] std::int64_t get_integer(std::int64_t i, std::uint32_t component) const noexcept {
         if (scalar != Scalar::int64) return static_cast<std::int64_t>(get(i, component));
         std::int64_t value = 0;
@@ -63,7 +63,7 @@ struct InView {
 };
 
 struct OutView {
-    std::byte* data = nullptr; // nullptr: the caller does not want it
+    std::byte* data = nullptr; // nullptr if the caller does not want it
     std::int64_t count = 0;
     std::int64_t stride = 0;
     Scalar scalar = Scalar::float64;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A stage of a call gets memory, threads, instruction set and log of the context, its share of the call's progress, and
-// a check for cancellation.
+// What a stage of a call needs: the context's memory, threads, instruction set and log, its share of the call's
+// progress, and a check for cancellation.
 #pragma once
 
 #include "base/operation.h"
@@ -14,7 +14,7 @@ namespace hrbfnpr::base {
 // Copies are cheap. The runtime must outlive them.
 class Work {
 public:
-    // Without a progress nothing is reported, and nothing cancels the work.
+    // Without `progress`, nothing is reported, and the work cannot be cancelled.
     Work(const Runtime& runtime, const Progress& progress = {}) noexcept
         : memory(runtime.memory), instruction_set(runtime.instruction_set), runtime_(&runtime), progress_(progress) {}
 
@@ -23,13 +23,13 @@ public:
     [[nodiscard]] const Runtime& runtime() const noexcept { return *runtime_; }
     [[nodiscard]] const Progress& progress() const noexcept { return progress_; }
 
-    // Returns the same work with the part of its progress between the fractions `from` and `to`.
+    // Returns a copy with the part of the progress between the fractions `from` and `to`.
     [[nodiscard]] Work part(double from, double to) const noexcept {
         Work work = *this;
         work.progress_ = progress_.part(from, to);
         return work;
     }
-    // Returns the same work, which checks for a cancel and reports no progress.
+    // Returns a copy that checks for cancellation but reports no progress.
     [[nodiscard]] Work without_progress() const noexcept { return part(0.0, 0.0); }
     [[nodiscard]] int threads() const noexcept { return one_thread_ ? 1 : runtime_->parallel.threads(); }
     void update(double fraction) const { progress_.update(fraction); }
@@ -41,13 +41,13 @@ public:
         return progress_.over(numbers...);
     }
 
-    // Returns the same work on the calling thread alone, for callbacks of the caller.
+    // Returns a copy that uses only the calling thread, for callbacks of the caller.
     [[nodiscard]] Work on_one_thread() const noexcept {
         Work work = *this;
         work.one_thread_ = true;
         return work;
     }
-    // Do what Parallel::for_each and Parallel::for_chunks do, with a check for cancellation before each task.
+    // Work like Parallel::for_each and Parallel::for_chunks, with a check for cancellation before each task.
     template <class F>
     void for_each(std::int64_t count, F&& f) const {
         const auto watched = [&](std::int64_t i) {
