@@ -86,9 +86,9 @@ struct Gaussian : Exponential {
     }
 };
 
-// With g = 60 / R^3, s = r / R and t = max(1 - s, 0): a = -R g t^3 / 3, b = g t^2 / r, c = -g t (1 + s) / r^3. With u =
-// d / r and p = beta . u: H / g = -(R / 3 t^3 alpha + t^2 p) I + t ((alpha t r + (1 + s) p) u u^T - t (beta u^T + u
-// beta^T)).
+// With g = 60 / R^3, s = r / R and t = max(1 - s, 0): a = -R g t^3 / 3, b = g t^2 / r, c = -g t (1 + s) / r^3.
+// With u = d / r and p = beta . u:
+//   H / g = -(R / 3 t^3 alpha + t^2 p) I + t ((alpha t r + (1 + s) p) u u^T - t (beta u^T + u beta^T)).
 struct WendlandC2 : InverseRoot {
     explicit WendlandC2(double kernel_radius) : radius(kernel_radius), inverse_radius(1.0 / kernel_radius) {}
     double radius, inverse_radius;

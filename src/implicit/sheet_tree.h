@@ -71,7 +71,7 @@ private:
 // The same function prepared for many points. Results differ by rounding and by the errors of each Prepared sheet.
 class PreparedSheetTree final : public SheetTreeBase {
 public:
-    // What is prepared: only the zones, or the zones and the sheets with many centres.
+    // The parts that are prepared: only the zones, or the zones and the sheets with many centres.
     enum class Scope : std::uint8_t { zones, sheets };
 
     // Returns the scope whose preparation takes less time than it saves for this number of points; nullopt if no scope
