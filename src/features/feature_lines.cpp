@@ -231,7 +231,7 @@ FeatureValue apparent_ridge(const ShapePoint& shape, const ViewAtPoint& view, do
     const double facing_change = glm::dot(view.gradient_of_facing(shape), s);
     const glm::dvec2 m_change = inverse * (view.turn(shape, s) - facing_change * m);
     value.g = 2.0 * (glm::dot(shape.change(x, s), qs) + glm::dot(y, m_change) * glm::dot(y, m));
-    // The factor keeps g of the magnitude of a curvature as `facing` approaches 0.
+    // The factor keeps the magnitude of g at that of a curvature as `facing` approaches 0.
     value.g *= std::abs(facing * facing * facing);
     value.along = shape.in_space(s);
     value.strength = std::sqrt(eigen.high) * unit;
