@@ -39,7 +39,7 @@ struct Ray {
     double at = 0.0;    // the value of s up to which the search is complete
     double value = 0.0; // f at s = `at`
     double trial = 0.0; // the value of s for the next evaluation
-    double low = 0.0;   // The bracket [low, high] of a root, and the last change of s within it.
+    double low = 0.0;   // the bracket [low, high] of a root, and the last change of s within it
     double high = 0.0;
     double change = 0.0;
     double far_end = 0.0; // s and f at the far end of the original bracket, where the march continues

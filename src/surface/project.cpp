@@ -21,14 +21,14 @@ constexpr double smallest_share = 1e-14;
 
 // Steepest descent on phi = f^2, whose gradient is 2 f g with g = grad f:
 //
-// x_new = x - t grad phi = x - t 2 f g.
+//   x_new = x - t grad phi = x - t 2 f g.
 //
 // Newton's step on f along g ends at x - f g / |g|^2, so its t is t0 = 1 / (2 |g|^2). Trials are t = s t0 with s = 1,
 // b, b^2 and so on, where b = armijo_factor.
 //
 // Armijo's rule accepts the first trial with
 //
-// phi(x_new) <= phi(x) - sigma t |grad phi|^2 = f^2 - sigma (s / (2 |g|^2)) 4 f^2 |g|^2 = f^2 (1 - 2 sigma s).
+//   phi(x_new) <= phi(x) - sigma t |grad phi|^2 = f^2 - sigma (s / (2 |g|^2)) 4 f^2 |g|^2 = f^2 (1 - 2 sigma s).
 class ProjectedBatch {
 public:
     // `order` is the order in which points are processed. Null: the given order.

@@ -2,7 +2,7 @@
 // Support: how well the samples around a point of the surface confirm it. The zero set of an implicit function
 // continues beyond its samples, where no data confirm it.
 //
-// s(x) = 3 (|c|^2 - ln sum_j w_j),   w_j = exp(-|q_j|^2) ((1 + n_j . m) / 2)^2,   q_j = (x - p_j) / (0.9 h_j)
+//   s(x) = 3 (|c|^2 - ln sum_j w_j),   w_j = exp(-|q_j|^2) ((1 + n_j . m) / 2)^2,   q_j = (x - p_j) / (0.9 h_j)
 //
 // The sums are over the samples p_j nearest to x. n_j are their normals, and h_j is the spacing around each. m is the
 // unit normal at x, and c = sum_j w_j q_j / sum_j w_j. c tells how far x is from the middle of its neighbours (Adamson
