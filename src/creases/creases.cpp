@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
-// split_at_creases makes the mesh: 1. find_sheets finds the sheet of each vertex. 2. settle_alone and settle_equal:
-// where sheets nearly coincide, they assign vertices to the first of these sheets. 3. find_edges finds where the sheets
-// of an edge's ends meet; find_corners does the same in triangles of three sheets. 4. halve_unclear halves edges where
-// another sheet lies between the two; then steps 2 to 4 are repeated. 5. place_rest places the remaining nodes near the
-// surface. 6. find_chains makes chains of the nodes of creases. 7. build cuts triangles at the nodes. Afterwards
-// sheet_surfaces splits the mesh into one for each sheet.
+// split_at_creases makes the mesh:
+// 1. find_sheets finds the sheet of each vertex.
+// 2. settle_alone and settle_equal: where sheets nearly coincide, they assign vertices to the first of these sheets.
+// 3. find_edges finds where the sheets of an edge's ends meet; find_corners does the same in triangles of three sheets.
+// 4. halve_unclear halves edges where another sheet lies between the two; then steps 2 to 4 are repeated.
+// 5. place_rest places the remaining nodes near the surface.
+// 6. find_chains makes chains of the nodes of creases.
+// 7. build cuts triangles at the nodes.
+// Afterwards sheet_surfaces splits the mesh into one for each sheet.
 //
-// trace_creases runs once for a model: 1. add_chain makes points of the mesh's nodes, without crowded ones, and cuts
-// chains where sheets do not meet. 2. set_normals sets the normals of both sheets at each point. 3. drop_returns drops
-// points that are out of order. 4. find_tangents and halve_pieces add points where a crease turns. parts_in_view runs
-// for each camera: it cuts creases where one of their sheets turns away from the eye.
+// trace_creases runs once for a model:
+// 1. add_chain makes points of the mesh's nodes, without crowded ones, and cuts chains where sheets do not meet.
+// 2. set_normals sets the normals of both sheets at each point.
+// 3. drop_returns drops points that are out of order.
+// 4. find_tangents and halve_pieces add points where a crease turns.
+// parts_in_view runs for each camera: it cuts creases where one of their sheets turns away from the eye.
 #include "creases/creases.h"
 
 #include "creases/tuning.h"
