@@ -19,8 +19,8 @@ namespace {
 
 #if HRBFNPR_HAS_THREADS
 
-// The fit's dense products need up to 276 KiB, and more under sanitizers. The default of some systems is
-// smaller.
+// The stack size of threads, in bytes. The fit's dense products need up to 276 KiB, and more with sanitizers. Some
+// systems have a smaller default.
 constexpr std::size_t stack_size = std::size_t{2} << 20U;
 
 // Blocks all signals of the thread as long as the object exists. New threads inherit the blocked signals.
