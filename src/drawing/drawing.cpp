@@ -25,8 +25,8 @@ constexpr std::int64_t digits = std::int64_t{1} << digit_bits;
     return length > 0.0F ? v / length : glm::vec3(0.0F);
 }
 
-// Returns the linear part of a matrix, scaled so that vectors it transforms can be squared in floats. The caller
-// ignores their lengths.
+// Returns the linear part of a matrix, scaled so that floats can hold squares of the vectors that it transforms.
+// Callers do not use the length of these vectors.
 [[nodiscard]] glm::mat3 with_moderate_scale(const glm::dmat4& m) noexcept {
     const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(m))));
     return glm::mat3(glm::dmat3(m) / geometry::unit_for(scale));
@@ -63,7 +63,7 @@ std::int64_t Drawing::bytes() const noexcept {
     return bytes;
 }
 
-// A run without marks has the same first id as the next run. The search finds the last run with that id.
+// A run without marks has the same first id as the next run. The search returns the last run with this id.
 std::int64_t Drawing::place_of(std::uint32_t id) const noexcept {
     return std::upper_bound(runs.begin(), runs.end(), id,
                             [](std::uint32_t a, const Run& r) { return a < r.first_id; }) -
@@ -123,7 +123,7 @@ void bin_segments(const base::Parallel& parallel, Drawing& drawing) {
                                     if (const bool may_begin = !(b.length > 0.0F); may_begin || pointed) {
                                         const Stroke& stroke = *stroke_of(drawing, i, drawing.strokes.begin());
                                         if (i + 1 == stroke.first + stroke.count)
-                                            return false; // b begins the next stroke
+                                            return false; // point b begins the next stroke
                                         if (pointed) ends = ends_of(stroke, i);
                                     }
                                     const float around = reach(ends, a, b);
@@ -141,7 +141,7 @@ void DepthSort::sort(const base::Parallel& parallel, base::Array<std::uint64_t>&
     }
 }
 
-// Sorts by one digit. Returns false, with `to` untouched, if all keys share it.
+// Sorts by one digit. Returns false, without writing to `to`, if all keys have the same digit.
 bool DepthSort::sort_by_digit(const base::Parallel& parallel, const base::Array<std::uint64_t>& from,
                               base::Array<std::uint64_t>& to, unsigned shift) {
     HRBFNPR_ASSERT(to.size() == from.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Defines a drawing as a value: dots and strokes in window coordinates, in layers, with the identities of their marks.
-// Producers (src/frame) fill it, and readers (src/output) only read it.
+// Defines a drawing as a value: dots and strokes in window coordinates, in layers, with the ids of their marks.
+// src/frame makes drawings, and src/output only reads them.
 #pragma once
 
 #include "base/assert.h"
@@ -19,8 +19,8 @@
 namespace hrbfnpr::drawing {
 
 enum class Painting : std::uint8_t {
-    // The surface in front has dimmed each dot and stroke, so the order does not matter if all have one colour. Dots
-    // are in ranges, in any order. A dot that is not drawn has the opacity 0.
+    // Each dot and stroke is already dimmed by the surfaces in front of it, so the order does not matter if all inks
+    // have one colour. Dots are in ranges, in any order. Dots that are not drawn have opacity 0.
     transmittance,
     // Dots of paper and ink are in the order in which they are painted [NPAR 6.1].
     published
@@ -29,13 +29,13 @@ enum class Painting : std::uint8_t {
 // The ink for the marks of one class in one layer of an item.
 struct Layer {
     std::int32_t item = 0;
-    std::int32_t layer = 0; // number of the layer in the item's point set; -1: lines
+    std::int32_t layer = 0; // index of the layer in the item's point set; -1: the layer consists of lines
     MarkClass mark_class = MarkClass::front;
     bool as_strokes = false;
-    glm::vec4 ink{0.0F};          // straight RGBA
-    std::uint32_t line_kind = 0;  // HRBFNPR_LINE_KIND_*, if `layer` is -1
+    glm::vec4 ink{0.0F};          // RGBA with straight alpha
+    std::uint32_t line_kind = 0;  // HRBFNPR_LINE_KIND_*; used if `layer` is -1
     bool as_hatch = false;        // whether the strokes are hatching
-    marks::LayerName line_name{}; // the name of the lines in their style; may be empty
+    marks::LayerName line_name{}; // the name that the style gives to the lines; may be empty
 };
 
 // Counts of marks and times, taken while the drawing was made. hrbfnpr_drawing_info documents each member.
@@ -48,7 +48,7 @@ struct Counts {
     Counts& operator+=(const Counts& other) noexcept; // adds all members except times and bytes
 };
 
-// Counts of lines, and the time that they took.
+// Counts of lines, and the time that was spent on them.
 struct LineCounts {
     std::int64_t curves = 0, cusps = 0, crossings = 0, broken = 0, refined = 0, settled = 0, contradictions = 0;
     std::int64_t tangles = 0;
@@ -62,14 +62,16 @@ struct Run {
     std::int32_t layer = 0;
     std::int64_t count = 0;
     std::uint32_t first_id = 1;
-    std::int64_t posed = -1; // index of the first mark in `posed_position`; -1: the marks are where the set has them
+    // Index of the run's first mark in `posed_position`; -1: the marks are where the set has them.
+    std::int64_t posed = -1;
     bool poses_directions = false;
 };
 
-// The marks of an item, and the transforms from them to the world.
+// The marks of an item, and their transforms to the world.
 struct ItemSource {
-    const marks::PointSet* set = nullptr; // the drawing's owner keeps it alive
-    double unit = 1.0;                    // `to_world` takes positions relative to the set's origin, in this unit
+    const marks::PointSet* set = nullptr; // kept alive by the owner of the drawing
+    // `to_world` transforms positions that are relative to the set's origin, in this unit.
+    double unit = 1.0;
     glm::dmat4 to_world{1.0};
     glm::mat3 normal_to_world{1.0F};
 };
@@ -77,8 +79,8 @@ struct ItemSource {
 // A mark in the world.
 struct MarkSource {
     glm::vec3 position;
-    glm::vec3 normal;    // unit
-    glm::vec3 direction; // unit
+    glm::vec3 normal;    // unit vector
+    glm::vec3 direction; // unit vector
 };
 
 struct Identity {
@@ -97,63 +99,64 @@ struct Drawing {
     LineCounts line_counts;
 
     base::Array<Layer> layers;
-    bool one_color = true;     // All inks have one colour, so their order does not matter.
+    bool one_color = true;     // whether all inks have one colour, so that their order does not matter
     glm::vec4 ink_color{0.0F}; // the colour of all inks, if one_color
 
     base::Array<Dot> dots;
-    base::Array<IndexRange> dot_ranges; // the ranges of `dots` that hold dots
-    std::int64_t dot_count = 0;         // number of dots of ink that are drawn
-    base::Array<Stroke> strokes;        // far to near
+    base::Array<IndexRange> dot_ranges; // the ranges of `dots` that are in use
+    std::int64_t dot_count = 0;         // the number of dots of ink that are drawn
+    base::Array<Stroke> strokes;        // sorted from far to near
     base::Array<StrokePoint> points;
-    base::Array<Splat> splats; // the splats from which the depth layers were found
-    bool has_splats = false;   // false: nothing hides anything
+    base::Array<Splat> splats; // the splats from which depth layers were computed
+    bool has_splats = false;   // if false, nothing hides anything
     base::Array<IndexRange> splat_ranges;
 
-    // Spatial indexes over the viewport, whose top-left pixel is `first_pixel`. Only Painting::transmittance has them.
+    // Spatial indexes over the viewport. Its top-left pixel is `first_pixel`. They exist only with
+    // Painting::transmittance.
     glm::ivec2 first_pixel{0};
     Tiles dot_tiles;
     Tiles splat_tiles;
-    Tiles segment_tiles; // the number of a segment is the number of its first point
+    Tiles segment_tiles; // a segment has the index of its first point
 
     // Maps (x, y, window depth, 1) to homogeneous coordinates in the world.
     glm::dmat4 from_window{1.0};
 
     base::Array<ItemSource> items;
-    base::Array<Run> runs; // one for each layer of each item, even if it is not drawn; in the order of the ids
-    // Three numbers for each mark of a posed run. Positions are relative to the set's origin.
+    base::Array<Run> runs; // one for each layer of each item, in the order of ids, even if the layer is not drawn
+    // Three numbers for each mark of a run that was posed. Positions are relative to the set's origin.
     base::Array<float> posed_position, posed_normal, posed_direction;
 
     void clear() noexcept;
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
-    // Tells whether dot a is painted before dot b.
+    // Returns whether dot a is painted before dot b.
     [[nodiscard]] bool before(std::uint32_t a, std::uint32_t b) const noexcept {
         return dots[a].depth != dots[b].depth ? dots[a].depth > dots[b].depth : a < b;
     }
 
     // Returns the run that contains the mark with this id, or nullptr if no mark has it.
     [[nodiscard]] const Run* run_of(std::uint32_t id) const noexcept;
-    // These need the id of a mark.
+    // These functions require the id of a mark.
     [[nodiscard]] Identity identify(std::uint32_t id) const noexcept;
     [[nodiscard]] MarkSource source(std::uint32_t id) const noexcept;
-    // Returns the place in the world that a place in the window shows.
+    // Returns the place in the world for a place in window coordinates.
     [[nodiscard]] glm::vec3 world(const glm::vec3& window) const noexcept;
 
 private:
-    // Calls f for each array of the drawing. The tiles are not arrays.
+    // Calls f for each array of the drawing, but not for the tiles.
     template <class Self, class F>
     static void for_arrays(Self& d, const F& f) {
         f(d.layers), f(d.dots), f(d.dot_ranges), f(d.strokes), f(d.points), f(d.splats), f(d.splat_ranges), f(d.items);
         f(d.runs), f(d.posed_position), f(d.posed_normal), f(d.posed_direction);
     }
-    // Returns the index of the last run that begins at or before the id.
+    // Returns the index of the last run that begins at or before this id.
     [[nodiscard]] std::int64_t place_of(std::uint32_t id) const noexcept;
 };
 
 // ---- Segments of strokes: each goes from one point of a stroke to the next
 
-// Returns the stroke of a segment. The number of a segment is the number of its first point. The segment must
-// not belong to a stroke before `from`.
+// Returns the stroke that contains a segment. A segment has the index of its first point. It must not belong to a
+// stroke before `from`.
 [[nodiscard]] inline const Stroke* stroke_of(const Drawing& drawing, std::int64_t segment,
                                              const Stroke* from) noexcept {
     const Stroke* const next = std::upper_bound(from, drawing.strokes.end(), segment,
@@ -162,7 +165,7 @@ private:
     return next - 1;
 }
 
-// The caps of a segment. An end is round if another segment follows there.
+// The caps of a segment. An end counts as round if another segment follows there.
 struct SegmentEnds {
     Cap begin = Cap::round, end = Cap::round;
 };
@@ -172,15 +175,15 @@ struct SegmentEnds {
             segment + 2 == stroke.first + stroke.count ? stroke.cap_end : Cap::round};
 }
 
-// Returns an upper bound for the distance of a segment's ink from the line between its points, in pixels.
+// Returns an upper bound for how far, in pixels, the ink of a segment is from the line between its points.
 [[nodiscard]] inline float reach(const SegmentEnds& ends, const StrokePoint& a, const StrokePoint& b) noexcept {
     const bool pointed = ends.begin == Cap::pointed || ends.end == Cap::pointed;
     const float widest = std::max({a.radius, b.radius, smallest_radius});
     return widest * (pointed ? std::max(1.0F, 2.0F * point_length) : 1.0F) + soft_rim;
 }
 
-// Tells whether a segment covers a place. `at` is set to the position along the segment, from 0 to 1. Thin segments
-// count as a pixel wide.
+// Returns whether a segment covers a place, and sets `at` to the position along the segment, from 0 to 1. Thin segments
+// count as one pixel wide.
 [[nodiscard]] inline bool covers(const SegmentEnds& ends, const StrokePoint& a, const StrokePoint& b, float x, float y,
                                  float& at) noexcept {
     const float ux = b.x - a.x;
@@ -199,16 +202,16 @@ struct SegmentEnds {
     return left > 0.0F && square - beyond * beyond <= left * left;
 }
 
-// Puts the segments of strokes into tiles in the way in which dots are put into tiles. A tile may get a segment of
-// which only the bounding box touches it.
+// Assigns the segments of strokes to tiles, as dots are assigned. A tile may get a segment if only the segment's
+// bounding box touches it.
 void bin_segments(const base::Parallel& parallel, Drawing& drawing);
 
 // ---- Far-to-near order
 
-// Returns a 64-bit sort key. The upper half is the depth, ascending from far to near. The lower half is `what`.
+// Returns a 64-bit sort key. Its upper half sorts depths from far to near. Its lower half is `what`.
 [[nodiscard]] inline std::uint64_t far_first_key(float depth, std::uint32_t what) noexcept {
     const auto bits = base::bit_cast<std::uint32_t>(depth);
-    // This maps floats to integers in the same order. The key inverts them, so that far comes first.
+    // Maps floats to integers in the same order. The key uses the inverse order, so that far comes first.
     const std::uint32_t ascending = (bits >> 31U) != 0 ? ~bits : bits | 0x80000000U;
     return std::uint64_t{~ascending} << 32U | what;
 }
@@ -225,7 +228,7 @@ private:
                        base::Array<std::uint64_t>& to, unsigned shift);
 
     base::Array<std::uint64_t> other_;
-    base::Array<std::int64_t> histogram_; // one count for each digit of each chunk, chunk by chunk
+    base::Array<std::int64_t> histogram_; // for each chunk, a count for each digit
 };
 
 } // namespace hrbfnpr::drawing

@@ -17,19 +17,20 @@
 
 namespace hrbfnpr::drawing {
 
-// A range of consecutive elements in an array that has gaps.
+// A range of consecutive elements, in an array with gaps.
 struct IndexRange {
     std::int64_t begin = 0, end = 0;
 };
 
-// The side of a tile, pixels.
+// The side of a tile, in pixels.
 inline constexpr std::int32_t tile_size = 64;
 
-// Sorts discs into tiles. Fixed parts of the discs are counted and filled, so the number of threads does not matter.
-// Discs over very many tiles are in one list that every tile searches, so memory is bounded.
+// Sorts discs into tiles. The discs are divided into fixed parts that are counted and stored separately, so the result
+// does not depend on the number of threads. Discs that touch very many tiles are in one list that is searched for every
+// tile. This bounds memory.
 class Tiles {
 public:
-    // A rectangle in pixels of the binned picture. A rectangle with NaN touches no tile.
+    // A rectangle in pixels of the picture. A rectangle with NaN touches no tile.
     struct Footprint {
         float left, top, right, bottom;
         [[nodiscard]] static Footprint of_disc(float x, float y, float radius) noexcept {
@@ -41,8 +42,8 @@ public:
         : tile_size_(tile_size), rects_(memory), counts_(memory), offsets_(memory), entries_(memory), large_(memory),
           ranges_(memory), starts_(memory) {}
 
-    // Fills the tiles with the elements i of the ranges, which ascend. footprint(i, out) is called once for each i and
-    // returns false to leave i out.
+    // Fills the tiles with the elements i of the ranges, which must be in ascending order. footprint(i, out) is called
+    // once for each element. It returns false to omit the element.
     template <class F>
     void build(const base::Parallel& parallel, std::int32_t width, std::int32_t height,
                std::span<const IndexRange> ranges, const F& footprint) {
@@ -86,7 +87,7 @@ public:
     [[nodiscard]] std::int32_t columns() const noexcept { return columns_; }
     [[nodiscard]] std::int32_t rows() const noexcept { return rows_; }
     [[nodiscard]] std::int64_t tiles() const noexcept { return std::int64_t{columns_} * rows_; }
-    // Returns an upper bound for the number of discs of a tile.
+    // Returns an upper bound for the number of discs in a tile.
     [[nodiscard]] std::int64_t largest_tile_count() const noexcept {
         std::int64_t most = 0;
         for (std::int64_t tile = 0; tile < tiles(); ++tile)
@@ -107,7 +108,7 @@ public:
         std::sort(large_.begin(), large_.end(),
                   [&](const LargeDisc& a, const LargeDisc& b) { return before(a.disc, b.disc); });
     }
-    // The places to which a tile is nearest. For tiles at the border they extend beyond the picture.
+    // The places that are nearest to a tile. At the border of the picture they extend beyond it.
     struct Extent {
         float left, top, right, bottom;
         [[nodiscard]] bool holds(float x, float y) const noexcept {
@@ -124,7 +125,8 @@ public:
         return {edge(column, columns_), edge(row, rows_), edge(column + 1, columns_), edge(row + 1, rows_)};
     }
 
-    // Calls f(disc) for each disc that touches the tile, in ascending order. After order(), `before` must be the same.
+    // Calls f(disc) for each disc that touches the tile, in ascending order. After order(), the same `before` must be
+    // given.
     template <class F, class Before = std::less<>>
     void for_tile(std::int64_t tile, F&& f, const Before& before = {}) const {
         for_spans(
@@ -135,7 +137,7 @@ public:
             before);
     }
 
-    // Calls f(discs) with spans that together have the discs of for_tile(), in the same order.
+    // Calls f(discs) with several spans, which together contain the discs of for_tile() in the same order.
     template <class F, class Before = std::less<>>
     void for_spans(std::int64_t tile, F&& f, const Before& before = {}) const {
         const auto column = static_cast<std::uint16_t>(tile % columns_);
@@ -155,11 +157,12 @@ public:
     }
 
 private:
-    static constexpr std::int64_t least_grain = 8192; // the least number of discs in a part
-    static constexpr std::int64_t most_parts = 16;    // each part has a counter for each tile
+    static constexpr std::int64_t least_grain = 8192; // the smallest number of discs in a part
+    // Memory is bounded, because each part has a counter for each tile.
+    static constexpr std::int64_t most_parts = 16;
     static constexpr std::int64_t most_tiles_of_one = 64;
 
-    // A half-open range of columns and rows of tiles. It is empty by default.
+    // A half-open range of columns and rows of tiles. By default it is empty.
     struct Rect {
         std::uint16_t left = 0, top = 0, right = 0, bottom = 0;
         [[nodiscard]] std::int64_t tiles() const noexcept {
@@ -173,7 +176,7 @@ private:
 
     [[nodiscard]] Rect rect_of(const Footprint& print) const noexcept {
         if (!(print.left <= print.right && print.top <= print.bottom)) return {};
-        // The numbers are clamped as floats, because they may be larger than any integer.
+        // Numbers are clamped as floats, because they may exceed every integer type.
         const float scale = 1.0F / static_cast<float>(tile_size_);
         const auto cell = [scale](float at, std::int32_t limit) {
             return static_cast<std::int32_t>(std::clamp(at * scale + 1.0F, 0.0F, static_cast<float>(limit + 1))) - 1;
@@ -187,7 +190,7 @@ private:
                 static_cast<std::uint16_t>(bottom)};
     }
 
-    // Calls f(number, disc) for a range of numbers. They count the elements of all ranges.
+    // Calls f(number, disc) for a range of numbers. Discs are numbered through all ranges.
     template <class F>
     void for_each_disc(std::int64_t begin, std::int64_t end, F&& f) const {
         const std::int64_t* const after = std::upper_bound(starts_.begin(), starts_.end(), begin);
@@ -198,7 +201,7 @@ private:
         }
     }
 
-    // Calls f(tile) for the tiles of a disc that is not large.
+    // Calls f(tile) for each tile that a disc touches, if the disc is not in the list of large discs.
     template <class F>
     void for_tiles(const Rect& rect, F&& f) const {
         if (rect.tiles() > most_tiles_of_one) return;
@@ -207,9 +210,9 @@ private:
         }
     }
 
-    // Fills the tiles from the counts of the parts.
+    // Stores the discs in the tiles. The parts must have been counted.
     void distribute(const base::Parallel& parallel) {
-        // Each count becomes the index of the part's first entry, relative to the first entry of the tile.
+        // Replaces each count by the index where the part's first entry is stored, relative to the tile's first entry.
         const std::int64_t parts = (total_ + grain_ - 1) / grain_;
         base::resize_scratch(offsets_, tiles() + 1);
         std::int64_t total = 0;
@@ -237,14 +240,15 @@ private:
     std::int32_t columns_ = 0;
     std::int32_t rows_ = 0;
     std::int64_t total_ = 0;
-    std::int64_t grain_ = 1;             // number of discs in a part
-    base::Array<Rect> rects_;            // the tiles that each disc touches, indexed by the disc's number
-    base::Array<std::uint32_t> counts_;  // for each part of the discs: the number of its discs in each tile
-    base::Array<std::int64_t> offsets_;  // the index of each tile's first entry, and the end
-    base::Array<std::uint32_t> entries_; // the discs of each tile, tile after tile
+    std::int64_t grain_ = 1;            // number of discs in each part
+    base::Array<Rect> rects_;           // for each disc, the range of tiles that it touches
+    base::Array<std::uint32_t> counts_; // for each part, the number of its discs in each tile
+    // For each tile, the index of its first entry; the last element is the number of entries.
+    base::Array<std::int64_t> offsets_;
+    base::Array<std::uint32_t> entries_; // the discs of all tiles, tile by tile
     base::Array<LargeDisc> large_;       // discs that touch too many tiles; they are not in `entries_`
     base::Array<IndexRange> ranges_;
-    base::Array<std::int64_t> starts_; // the number of each range's first disc, and the end
+    base::Array<std::int64_t> starts_; // for each range, the number of its first disc; the last element is the total
 };
 
 } // namespace hrbfnpr::drawing
