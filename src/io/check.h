@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks the numbers of a file whose checksum is right.
+// Checks of the numbers in a file whose checksum is correct.
 #pragma once
 
 #include "geometry/vec.h"
@@ -17,7 +17,7 @@ void check_finite(const Decoder& decoder, const char* name, std::span<const T> n
         if (!std::isfinite(numbers[i])) decoder.damaged("%s[%lld] is not finite", name, static_cast<long long>(i));
 }
 
-// Checks packed unit vectors. The limits are loose, because other programs may write files.
+// Checks packed unit vectors. The limits are loose, because other programs may have written the file.
 template <class T>
 void check_unit(const Decoder& decoder, const char* name, std::span<const T> packed) {
     for (std::size_t i = 0; i + 2 < packed.size(); i += 3) {
@@ -27,7 +27,7 @@ void check_unit(const Decoder& decoder, const char* name, std::span<const T> pac
     }
 }
 
-// Returns the longest side of a box. The square of the diagonal would be 0 for tiny boxes.
+// Returns the longest side of a box. It is used instead of the diagonal, whose square would be 0 for tiny boxes.
 [[nodiscard]] inline double longest_side(const geometry::Bounds& bounds) noexcept {
     const glm::dvec3 size = bounds.size();
     return std::max({size.x, size.y, size.z});
@@ -40,8 +40,8 @@ inline void check_bounds(const Decoder& decoder, const geometry::Bounds& bounds)
             decoder.damaged("its bounds are not a box");
 }
 
-// Checks that a sample is in the bounds, or in the cells of a model of sheets, or up to a tenth of the diagonal beyond:
-// some samples of a fit to a mesh are off the surface, anywhere in the search box.
+// Checks that a sample is in the bounds, in the cells of a model of sheets, or at most a tenth of the diagonal outside.
+// A fit to a mesh may have samples off the surface, anywhere in the search box.
 inline void check_sample(const Decoder& decoder, const geometry::Bounds& bounds, const double* sample,
                          std::int64_t index) {
     const double beyond = 0.1 * bounds.diagonal();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Computes the CRC-32 of zlib, PNG and Ethernet (reflected polynomial 0xEDB88320), so other tools can check our files.
-// It detects every burst error of up to 32 bits.
+// Computes the CRC-32 of zlib, PNG and Ethernet (reflected polynomial 0xEDB88320), so that other tools can check the
+// files. It detects every burst error of up to 32 bits.
 #pragma once
 
 #include <array>

@@ -46,7 +46,7 @@ void Decoder::check_header(std::span<const std::uint8_t, header_size> header, st
     if (fetch<std::uint32_t>(&header[8]) != kind)
         fail(Status::corrupt_data, "this is a file of hrbfnpr, but not a %s: its kind is '%s'", what_,
              TagText(fetch<std::uint32_t>(&header[8])).text);
-    // Later versions keep this header, so that a newer file can be distinguished from a damaged one.
+    // Newer versions of the format keep this header, so that a newer file can be distinguished from a damaged one.
     version_ = fetch<std::uint32_t>(&header[12]);
     if (version_ > newest)
         fail(Status::version_mismatch,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads the files of docs/file-format.md. Contents are checked before they are used. Memory grows only as bytes arrive,
-// so a false length costs nothing.
+// Reads files in the format of docs/file-format.md. Contents are checked before they are used. Memory is allocated only
+// as bytes arrive, so a wrong length in a file cannot exhaust memory.
 #pragma once
 
 #include "base/memory.h"
@@ -16,7 +16,7 @@ namespace hrbfnpr::io {
 
 class Decoder {
 public:
-    // Reads and checks the header. It accepts versions from `oldest` to `newest`. `what` names the kind of file in
+    // Reads and checks the header. Versions from `oldest` to `newest` are accepted. `what` is the kind of file for
     // messages, such as "model".
     Decoder(Reader& reader, std::uint32_t kind, std::uint32_t oldest, std::uint32_t newest, const char* what);
 
@@ -52,13 +52,13 @@ public:
         expect_count(tag, elements.size(), count);
     }
 
-    // Tells whether more sections follow. Optional sections are at the end of a file.
+    // Returns whether more sections follow. Optional sections are at the end of a file.
     [[nodiscard]] bool has_more() const noexcept { return remaining_ >= section_header_size; }
 
-    // Checks, after the last section, that the payload ends and that its checksum is right.
+    // Must be called after the last section. Checks that the payload ends and that its checksum is correct.
     void finish();
 
-    // Throws Error{corrupt_data}: "this model file is damaged: " and the formatted text.
+    // Throws Error{corrupt_data} with the message "this model file is damaged: " and the formatted text.
     [[noreturn]] [[gnu::format(printf, 2, 3)]] void damaged(const char* format, ...) const;
 
 private:
@@ -87,8 +87,8 @@ private:
     const char* what_;
     Crc32 crc_;
     std::uint32_t version_ = 0;
-    std::uint64_t remaining_ = 0; // bytes left in the payload
-    std::uint64_t position_ = 0;  // bytes read from the file
+    std::uint64_t remaining_ = 0; // number of bytes left in the payload
+    std::uint64_t position_ = 0;  // number of bytes read from the file
 };
 
 } // namespace hrbfnpr::io

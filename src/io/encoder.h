@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes the files of docs/file-format.md. The payload is encoded twice, because the header needs its length.
+// Writes files in the format of docs/file-format.md. The payload is encoded twice, because the header contains its
+// length.
 #pragma once
 
 #include "io/crc32.h"
@@ -14,7 +15,7 @@ namespace hrbfnpr::io {
 
 class Encoder {
 public:
-    // With a null writer the encoder only counts bytes.
+    // If the writer is null, the encoder only counts bytes.
     explicit Encoder(Writer* writer) noexcept : writer_(writer) {}
 
     template <class T>
@@ -50,7 +51,8 @@ private:
 void write_header(Writer& writer, std::uint32_t kind, std::uint32_t version, std::uint64_t payload_length);
 void write_trailer(Writer& writer, std::uint32_t checksum);
 
-// Writes a file. encode(encoder) writes the sections. It is called twice, and must write the same both times.
+// Writes a file. encode(encoder) must write the sections. It is called twice, and must write the same sections both
+// times.
 template <class F>
 void write_file(Writer& writer, std::uint32_t kind, std::uint32_t version, F&& encode) {
     Encoder measure(nullptr);

@@ -15,15 +15,15 @@
 
 namespace hrbfnpr::io {
 
-// The end of a trimmed model's surface (surface/support_domain.h).
+// Where the surface of a trimmed model ends (surface/support_domain.h).
 struct TrimFile {
     explicit TrimFile(base::Memory& memory) noexcept
         : report(memory), position(memory), normal(memory), kept_cells(memory), end_cells(memory) {}
     double limit = 0.0, closest = 0.0;
     geometry::CellGrid grid;
-    base::Array<double> report; // not interpreted here
+    base::Array<double> report; // this folder does not interpret it
     base::Array<double> position, normal;
-    base::Array<std::int64_t> kept_cells, end_cells; // cells, packed
+    base::Array<std::int64_t> kept_cells, end_cells; // packed cell numbers
 };
 
 // A single fit, or a model of sheets.
@@ -31,7 +31,7 @@ struct FitFile {
     explicit FitFile(base::Memory& memory) noexcept : data(memory), report(memory) {}
     implicit::HrbfData data;
     std::optional<implicit::SheetTreeData> pieces = std::nullopt;
-    base::Array<double> report; // in the order of fit::FitReport; not interpreted here
+    base::Array<double> report; // in the order of fit::FitReport; this folder does not interpret it
 };
 
 // A growing list of FitFiles in the context's memory.
@@ -61,25 +61,26 @@ private:
 
 struct ModelFile : FitFile {
     explicit ModelFile(base::Memory& memory) noexcept : FitFile(memory), trim(memory), tree(memory), leaves(memory) {}
-    TrimFile trim; // has no samples if the model is not trimmed
-    // With nodes the model is a CSG tree, not a fit. The caller checks that they form a tree.
+    TrimFile trim; // without samples if the model is not trimmed
+    // If this has nodes, the model is a CSG tree and not a fit. The caller must check that the nodes form a tree.
     implicit::CsgTree tree;
     geometry::Bounds bounds;
     FitFiles leaves;
 };
 
-// A fit or a model of sheets: either `data` or `pieces` is not null.
+// A fit or a model of sheets. Exactly one of `data` and `pieces` is not null.
 struct FitToSave {
     const implicit::HrbfData* data = nullptr;
     const implicit::SheetTreeData* pieces = nullptr;
     std::span<const double> report;
 };
 
-// If the model is not trimmed, `trim` is null or has no samples.
+// Writes a model file. If the model is not trimmed, `trim` is null or has no samples.
 void save_model(const FitToSave& fit, const TrimFile* trim, Writer& writer);
 void save_csg(const implicit::CsgTree& tree, const geometry::Bounds& bounds, std::span<const FitToSave> leaves,
               const TrimFile* trim, Writer& writer);
-// Reads a model file, and no byte beyond its end. Throws Error{corrupt_data, version_mismatch, io, out_of_memory}.
+// Reads a model file. It reads no byte beyond the end of the model. Throws Error{corrupt_data, version_mismatch, io,
+// out_of_memory}.
 [[nodiscard]] ModelFile load_model(base::Memory& memory, Reader& reader);
 
 void save_point_set(const marks::PointSet& set, Writer& writer);

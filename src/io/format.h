@@ -17,17 +17,19 @@
 
 namespace hrbfnpr::io {
 
-// As in PNG, the top bit detects 7-bit transfers, the line ends detect text mode, and 1A ends a DOS listing.
+// The first bytes of a file. As in PNG, the top bit of the first byte detects 7-bit transfers, the line ends detect
+// text mode, and 1A ends a DOS listing.
 inline constexpr std::array<std::uint8_t, 8> magic{0x89, 'H', 'R', 'B', 0x0D, 0x0A, 0x1A, 0x0A};
 // The newest format version of each kind of file.
 inline constexpr std::uint32_t model_version = 2;
-inline constexpr std::uint32_t fit_version = 1;       // for models that are a single fit, so that older readers know it
-inline constexpr std::uint32_t point_set_version = 3; // older versions, from before the first release, are not read
+// For models that are a single fit, so that older versions of the library can read them.
+inline constexpr std::uint32_t fit_version = 1;
+inline constexpr std::uint32_t point_set_version = 3; // older versions, from before the first release, cannot be read
 inline constexpr std::uint32_t byte_order_mark = 0x01020304U;
 inline constexpr std::size_t header_size = 40;
 inline constexpr std::size_t section_header_size = 16;
 
-// Returns a tag: four letters that are readable in a hex dump.
+// Returns a section tag: four letters that can be read in a hex dump.
 [[nodiscard]] constexpr std::uint32_t tag(const char (&letters)[5]) noexcept {
     std::uint32_t number = 0;
     for (unsigned i = 0; i < 4; ++i)
@@ -64,7 +66,7 @@ using Bits = std::conditional_t<
     std::conditional_t<size == 2, std::uint16_t, std::conditional_t<size == 4, std::uint32_t, std::uint64_t>>>;
 } // namespace detail
 
-// These work for every byte order. On little-endian machines compilers make them plain copies.
+// These functions work for every byte order. On little-endian machines they compile to plain copies.
 template <class T>
 constexpr void store(std::uint8_t* to, T value) noexcept {
     const auto bits = base::bit_cast<detail::Bits<sizeof(T)>>(value);

@@ -15,7 +15,7 @@ constexpr std::uint32_t tag_beta[3] = {tag("BETX"), tag("BETY"), tag("BETZ")};
 constexpr std::uint32_t tag_polynomial = tag("POLY");
 constexpr std::uint32_t tag_report = tag("RPRT");
 
-// These sections are at the end of the file if the model is trimmed.
+// Tags of the sections at the end of the file of a trimmed model.
 constexpr std::uint32_t tag_trim = tag("TRIM");
 constexpr std::uint32_t tag_trim_report = tag("TRRP");
 constexpr std::uint32_t tag_trim_position = tag("TPOS");
@@ -26,14 +26,14 @@ constexpr std::uint32_t tag_trim_ends = tag("TEND");
 constexpr std::int32_t highest_degree = 3;
 constexpr std::int64_t longest_report = 1024;
 
-// Limits for the inputs and results of a fit. A fit merges samples closer to each other than 1e-9 diagonals, which
-// bounds its scale.
+// Limits for the inputs and results of a fit. A fit merges samples that are closer than 1e-9 diagonals, which bounds
+// its scale.
 constexpr double smallest_side = 1e-110;
 constexpr double most_scale_ratio = 1e12; // the largest ratio of the bounds' longest side to the scale
 constexpr double radius_limit = 1e30;
-constexpr double weight_limit = 1e120; // the cube of the largest radius, times 1e30, which a solver still resolves
+constexpr double weight_limit = 1e120; // the cube of the largest radius, times 1e30; a solver can still handle it
 
-// Returns the number of terms of a polynomial in three variables. The degree is from -1 to 3.
+// Returns the number of terms of a polynomial in three variables of a degree from -1 to 3.
 constexpr std::int64_t term_count(std::int32_t degree) noexcept {
     return std::int64_t{degree + 1} * (degree + 2) * (degree + 3) / 6;
 }
@@ -67,7 +67,7 @@ void set_numbers(implicit::HrbfData& data, const ModelNumbers& n) noexcept {
 } // namespace
 
 void encode_hrbf(Encoder& encoder, const implicit::HrbfData& data) {
-    // The degree is at least -1.
+    // The second number is not negative, because the degree is at least -1.
     const ModelKind kind{static_cast<std::uint32_t>(data.kernel),
                          static_cast<std::uint32_t>(data.polynomial_degree + 1)};
     encoder.section<std::uint32_t>(tag_kind, kind);
@@ -156,7 +156,7 @@ void check_numbers(const Decoder& decoder, const implicit::HrbfData& data) {
         decoder.damaged("its kernel radius is not positive");
     if (data.spacing < 0.0) decoder.damaged("its sample spacing is negative");
     check_extent(decoder, data);
-    // The radius that a fit chooses itself may be as large as the bounds.
+    // A radius that the fit chose may be as large as the bounds.
     if (data.kernel != kernel::Kind::triharmonic &&
         (data.kernel_radius < 1.0 / radius_limit ||
          data.kernel_radius > std::max(radius_limit, 2.0 * longest_side(data.bounds) / data.scale)))
@@ -172,7 +172,7 @@ void check_weights(const Decoder& decoder, const implicit::HrbfData& data, const
             decoder.damaged("%s[%lld] is too large for a fit", name, static_cast<long long>(i));
 }
 
-// Checks that each centre is at its sample, except for rounding.
+// Checks that each centre coincides with its sample up to rounding.
 void check_places(const Decoder& decoder, const implicit::HrbfData& data) {
     for (std::int64_t i = 0; i < data.count(); ++i) {
         const glm::dvec3 centre = data.centre_position[i];

@@ -24,7 +24,7 @@ Space space_of(const implicit::SheetTreeData& data) noexcept {
     return {low.x, low.y, low.z, high.x, high.y, high.z, data.spacing, corner.x, corner.y, corner.z, data.side};
 }
 
-// Returns the numbers in two's complement, because sections for 32-bit integers are unsigned.
+// Returns the numbers in two's complement, because the 32-bit sections of a file are unsigned.
 base::Array<std::uint32_t> unsigned_of(const base::Array<std::int32_t>& numbers) {
     base::Array<std::uint32_t> result(numbers.memory());
     for (const std::int32_t number : numbers) result.push_back(base::bit_cast<std::uint32_t>(number));

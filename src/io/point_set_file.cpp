@@ -101,7 +101,7 @@ void encode(Encoder& encoder, const marks::PointSet& set) {
         for (const marks::Layer& layer : set.layers) encoder.section(tag_tone_normal, layer.tone_normal.span());
 }
 
-// Returns the number of layers.
+// Reads the kind of the set and returns the number of layers.
 std::uint32_t decode_kind(Decoder& decoder, marks::PointSet& set) {
     std::array<std::uint32_t, 3> kind{};
     decoder.section<std::uint32_t>(tag_set_kind, kind);
@@ -182,7 +182,7 @@ void decode_layer(Decoder& decoder, marks::PointSet& set) {
     decoder.section(tag_stroke_order, layer.stroke_order);
 }
 
-// Reads the normals for tone, if the file has any.
+// Reads the normals for tone if the file has them.
 void decode_tone_normals(Decoder& decoder, marks::PointSet& set) {
     if (!decoder.has_more()) return;
     for (marks::Layer& layer : set.layers) {
@@ -197,7 +197,7 @@ void decode_layers(Decoder& decoder, std::uint32_t count, marks::PointSet& set) 
     decode_tone_normals(decoder, set);
 }
 
-// Checks that the order has each mark once, and that strokes ascend by their numbers, as searches need.
+// Checks that the order contains each mark once, and that strokes are sorted by their numbers, as searches require.
 void check_order(const Decoder& decoder, const marks::Layer& layer) {
     const std::int64_t count = layer.count();
     if (layer.stroke_order.size() != count)
@@ -247,7 +247,7 @@ void check_layer(const Decoder& decoder, const marks::Layer& layer) {
     check_strokes(decoder, layer);
 }
 
-// Checks that all marks are inside the bounds, except for rounding. Positions are floats relative to the origin.
+// Checks that all marks are inside the bounds up to rounding. Positions are floats relative to the origin.
 void check_places(const Decoder& decoder, const marks::PointSet& set) {
     constexpr double float_max = std::numeric_limits<float>::max();
     check_bounds(decoder, set.bounds);
@@ -263,7 +263,8 @@ void check_places(const Decoder& decoder, const marks::PointSet& set) {
         }
 }
 
-// Checks a set without marks, which has no box. Sets its origin and spacing to 0, because older files have none.
+// Checks a set without marks, which has no bounding box. Sets its origin and spacing to 0, because older files do not
+// contain them.
 void check_empty(const Decoder& decoder, marks::PointSet& set) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!(std::isinf(set.bounds.min[axis]) && set.bounds.min[axis] > 0.0 && std::isinf(set.bounds.max[axis]) &&

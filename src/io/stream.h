@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Defines streams of bytes for reading and writing.
+// Streams of bytes for reading and writing.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ public:
     virtual std::uint64_t read(void* data, std::uint64_t size) = 0;
 };
 
-// Reads from plain memory.
+// Reads from a block of memory.
 class MemoryReader final : public Reader {
 public:
     explicit MemoryReader(std::span<const std::byte> bytes) noexcept : rest_(bytes) {}
@@ -46,7 +46,7 @@ private:
     std::span<const std::byte> rest_;
 };
 
-// Writes to plain memory. Blocks that do not fit are only counted.
+// Writes to a block of memory. Data that do not fit are only counted.
 class MemoryWriter final : public Writer {
 public:
     explicit MemoryWriter(std::span<std::byte> room) noexcept : room_(room) {}
