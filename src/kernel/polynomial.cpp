@@ -13,7 +13,7 @@ constexpr std::array<Exponents, polynomial_size_max> monomials = {{
     {3, 0, 0}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {1, 1, 1}, {1, 0, 2}, {0, 3, 0}, {0, 2, 1}, {0, 1, 2}, {0, 0, 3},
 }};
 
-// t^e and its derivatives, [derivative][e].
+// Powers of t and their derivatives: [derivative][exponent].
 using Powers = std::array<std::array<double, 4>, 3>;
 
 Powers powers(double t) noexcept {
@@ -24,7 +24,7 @@ class Point {
 public:
     explicit Point(const glm::dvec3& p) noexcept : axis_{powers(p.x), powers(p.y), powers(p.z)} {}
 
-    // Returns the monomial, differentiated by_x, by_y and by_z times along the axes.
+    // Returns the monomial, differentiated by_x, by_y and by_z times along the three axes.
     [[nodiscard]] double at(const Exponents& e, int by_x, int by_y, int by_z) const noexcept {
         return factor(0, by_x, e[0]) * factor(1, by_y, e[1]) * factor(2, by_z, e[2]);
     }
@@ -50,7 +50,8 @@ void polynomial_basis(std::int32_t degree, const glm::dvec3& p, PolynomialBasis&
 
 PolynomialField polynomial(std::int32_t degree, const double* coefficients, const glm::dvec3& p) noexcept {
     PolynomialField field;
-    if (degree == 1) { // the same bits; with few centres the general path would take a tenth of the time
+    // Gives the same bits as the general path; with few centres the general path would take a tenth of the total time.
+    if (degree == 1) {
         field.value = 0.0 + coefficients[0] + coefficients[1] * p.x + coefficients[2] * p.y + coefficients[3] * p.z;
         field.gradient = 0.0 + glm::dvec3(coefficients[1], coefficients[2], coefficients[3]);
         return field;
@@ -72,7 +73,7 @@ PolynomialField polynomial(std::int32_t degree, const double* coefficients, cons
 }
 
 std::array<double, 10> polynomial_thirds(std::int32_t degree, const double* coefficients) noexcept {
-    // x^a y^b z^c of degree 3, differentiated by its own powers, is a! b! c!.
+    // If x^a y^b z^c of degree 3 is differentiated a, b and c times along its axes, the result is a! b! c!.
     constexpr std::array<double, 10> factorials = {6, 2, 2, 2, 1, 2, 6, 2, 2, 6};
     std::array<double, 10> third{};
     if (degree < 3) return third;

@@ -18,7 +18,7 @@ inline constexpr int polynomial_size_max = 20;
     return degree < 0 ? 0 : (degree + 1) * (degree + 2) * (degree + 3) / 6;
 }
 
-// Values and gradients of the first polynomial_size(degree) monomials at p.
+// Values and gradients at p of the first polynomial_size(degree) monomials.
 struct PolynomialBasis {
     std::array<double, polynomial_size_max> value;
     std::array<glm::dvec3, polynomial_size_max> gradient;
@@ -28,13 +28,14 @@ void polynomial_basis(std::int32_t degree, const glm::dvec3& p, PolynomialBasis&
 struct PolynomialField {
     double value = 0.0;
     glm::dvec3 gradient{0.0};
-    std::array<double, 6> hessian{}; // xx xy xz yy yz zz
+    std::array<double, 6> hessian{}; // in the order xx xy xz yy yz zz
 };
 
-// Evaluates the polynomial with polynomial_size(degree) coefficients at p.
+// Evaluates a polynomial at p. It has polynomial_size(degree) coefficients.
 [[nodiscard]] PolynomialField polynomial(std::int32_t degree, const double* coefficients, const glm::dvec3& p) noexcept;
 
-// Returns the polynomial's third derivatives, which are the same everywhere: xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.
+// Returns the third derivatives of a polynomial, which are the same everywhere, in the order xxx xxy xxz xyy xyz xzz
+// yyy yyz yzz zzz.
 [[nodiscard]] std::array<double, 10> polynomial_thirds(std::int32_t degree, const double* coefficients) noexcept;
 
 } // namespace hrbfnpr::kernel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernels as inline functions, for loops outside of which the kernel is fixed.
+// The kernels as inline functions. They are for loops in which the kernel does not change.
 #pragma once
 
 #include "kernel/kernel.h"
@@ -9,12 +9,12 @@
 
 namespace hrbfnpr::kernel {
 
-// Points whose squared distance from the centre is at most this, in units of the mean sample spacing, count as at the
-// centre. For nearer points r^-3 would overflow, and the only double this near to a sample is the sample itself.
+// A point counts as at the centre if its squared distance is at most this, in units of the mean sample spacing. At
+// smaller distances r^-3 would overflow. The only double that is so near to a sample is the sample itself.
 inline constexpr double at_centre = 1e-60;
 
-// Each kernel has at<order>(r2, r) with r2 = r * r. It sets phi and a always, b from order 1 on, and c at order 2; the
-// rest stays 0. It is free of branches, so that loops over points vectorise.
+// Each kernel has a member at<order>(r2, r) with r2 = r * r. It sets phi and a always, b if the order is at least 1,
+// and c if the order is 2; the other members stay 0. It has no branches, so that loops over points can be vectorised.
 
 struct Triharmonic {
     explicit constexpr Triharmonic(double /*radius*/) noexcept {}
@@ -66,7 +66,7 @@ private:
     double inverse_radius_;
 };
 
-// Calls f(kernel) with the kernel's own type.
+// Calls f(kernel) with an object of the kernel's class.
 template <class F>
 decltype(auto) with_kernel(Kind kind, double radius, F&& f) {
     switch (kind) {
