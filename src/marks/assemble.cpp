@@ -76,7 +76,7 @@ void assemble(const Site& site, const Marks& marks, const AssembleSettings& sett
         set_vector(result.position, i, marks.position[i] - origin);
         set_vector(result.normal, i, n);
         set_vector(result.direction, i, settings.strokes ? marks.direction[i] : geometry::stipple_frame(n).u);
-        // The first mark gets the highest rank, because a mark is shown where its rank is at least tau.
+        // The first mark gets the highest rank, because a mark is shown if its rank is at least tau.
         const float own = !marks.rank.empty() ? marks.rank[i]
                           : result.progressive
                               ? rank_of(1.0 - (static_cast<double>(i) + 0.5) / static_cast<double>(count))
@@ -102,7 +102,7 @@ void measure(const base::Work& work, std::span<const geometry::VecArray* const> 
         if (layer->size() > largest->size()) largest = layer;
         for (std::int64_t i = 0; i < layer->size(); ++i) set.bounds.extend((*layer)[i]);
     }
-    if (set.bounds.empty()) return; // without marks the origin and the spacing would be 0 / 0
+    if (set.bounds.empty()) return; // without marks, the origin and the spacing would be 0 / 0
     set.origin = set.bounds.centre();
     set.spacing = area > 0.0 ? std::sqrt(area / static_cast<double>(largest->size())) : covered_spacing(work, *largest);
 }
@@ -113,7 +113,7 @@ NeighbourDistances neighbour_distances(const base::Work& work, const geometry::V
     work.for_chunks(points.size(), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t at = begin; at < end; ++at) distance[at] = tree.nearest_other(at);
     });
-    // The distance 0 of coincident points is ignored, because it says nothing about the spacing of the surface's marks.
+    // Distances of 0 between coincident points are ignored, because they say nothing about the spacing on the surface.
     const double smallest = 1e-9 * tree.bounds().diagonal();
     double sum = 0.0;
     double sum_of_squares = 0.0;
@@ -130,12 +130,13 @@ NeighbourDistances neighbour_distances(const base::Work& work, const geometry::V
     return {mean, std::sqrt(variance) / mean};
 }
 
-// A surface of area A meets 1.5 A / h^2 cells of a grid of side h, because the mean of |nx| + |ny| + |nz| over all
-// normals is 1.5. The function uses the finest grid whose occupied cells hold marks_a_cell marks on average. Some cells
-// that the surface cuts only at a corner hold no mark then, so the factor is 1.25 instead of 1.5 (measured: tests).
+// Estimates the spacing from the cells of a grid that hold points. A surface of area A passes through about 1.5 A / h^2
+// cells of a grid of side h, because the mean of |nx| + |ny| + |nz| over all normals is 1.5. The function chooses the
+// finest grid whose occupied cells hold marks_a_cell marks on average. Some cells that the surface cuts only at a
+// corner hold no mark, so the factor is 1.25 instead of 1.5 (measured by tests).
 double covered_spacing(const base::Work& work, const geometry::VecArray& points) {
     const auto count = static_cast<double>(points.size());
-    // Few, evenly spread marks have a mean distance to the nearest other mark of 0.87 spacings.
+    // For few, evenly spread marks, the mean distance to the nearest other mark is 0.87 spacings.
     if (points.size() < marks_tuning.fewest_for_cells) return 1.15 * neighbour_distances(work, points).mean;
     geometry::Bounds box;
     for (std::int64_t i = 0; i < points.size(); ++i) box.extend(points[i]);
@@ -161,7 +162,7 @@ void average_normals(const Site& site, const Marks& marks, double length, double
     const double within = std::numbers::pi * radius * radius / (spacing * spacing);
     const auto each = static_cast<std::int64_t>(std::clamp(within / marks_tuning.tone_marks, 1.0, 1e6));
     const base::Array<std::int32_t> sheet = surface::sheets_at(site.work, site.implicit, marks.position);
-    geometry::VecArray some(site.memory()); // the marks whose normals are averaged
+    geometry::VecArray some(site.memory()); // the subset of marks whose normals are averaged
     geometry::VecArray some_normals(site.memory());
     for (std::int64_t i = 0; i < marks.count(); i += each) {
         some.push_back(marks.position[i]);
@@ -170,8 +171,8 @@ void average_normals(const Site& site, const Marks& marks, double length, double
     const geometry::PointGrid grid(some, radius, site.work);
     const geometry::VecArray position = grid.in_order(some, site.work);
     const geometry::VecArray normal = grid.in_order(some_normals, site.work);
-    // The mark's own normal counts once, so that there is always one. The test of the distance comes first, because
-    // most places are too far away.
+    // The mark's own normal is included once, so that there is at least one normal. The distance is tested first,
+    // because most places are too far away.
     const auto averaged = [&](std::int64_t i) {
         const glm::dvec3 place = marks.position[i];
         const glm::dvec3 own = marks.normal[i];
@@ -207,7 +208,7 @@ using base::InView;
 
 long long as_long_long(std::int64_t i) noexcept { return static_cast<long long>(i); }
 
-// Reads the numbers of one layer and checks each. `place` is the layer's place in the list.
+// Reads and checks the numbers of one layer. `place` is the layer's index in the list of layers.
 class LayerReader {
 public:
     LayerReader(const LayerArrays& arrays, std::int64_t place) noexcept : arrays_(arrays), place_(place) {}
@@ -251,7 +252,7 @@ public:
         for (int axis = 0; axis < 3; ++axis) {
             v[axis] = view.get(i, static_cast<std::uint32_t>(axis));
             if (!std::isfinite(v[axis])) refuse(name, i, "not finite; every number must be");
-            // A larger number would become infinite in the set.
+            // A larger number would become infinite when stored as a float.
             if (std::abs(v[axis]) > 3.4e38) refuse(name, i, "%g, too large for a float; use a larger unit", v[axis]);
         }
         return v;
@@ -260,7 +261,8 @@ public:
     [[nodiscard]] glm::dvec3 normal(std::int64_t i) const {
         const glm::dvec3 given = vector(arrays_.normal, "normal", i);
         const glm::dvec3 size = glm::abs(given);
-        const glm::dvec3 n = given / geometry::unit_for(std::max({size.x, size.y, size.z})); // keeps its square finite
+        // Scaled so that its square is finite.
+        const glm::dvec3 n = given / geometry::unit_for(std::max({size.x, size.y, size.z}));
         const double length = glm::length(n);
         if (!(length > 0.0) || !std::isfinite(length)) refuse("normal", i, "zero; every mark needs a normal");
         return n / length;
@@ -286,7 +288,7 @@ public:
         return rounded;
     }
 
-    // Fills stroke_first and stroke.
+    // Fills stroke_first and stroke of the layer.
     void read_strokes(Layer& layer) const;
 
 private:
@@ -330,7 +332,7 @@ void LayerReader::read_strokes(Layer& layer) const {
     for (std::int64_t i = 0; strokes == 0 && i < count(); ++i) layer.stroke[2 * i] = 2 * static_cast<std::uint32_t>(i);
 }
 
-// Sets the directions of marks along their strokes, by central differences, if none are given. A mark without a
+// If no directions are given, sets the directions of marks along their strokes by central differences. A mark without a
 // neighbour at another place keeps the direction of a stipple.
 void set_directions_along(const geometry::VecArray& positions, const LayerReader& reader, Layer& layer) {
     for (std::int64_t s = 0; s < layer.strokes(); ++s) {
@@ -344,7 +346,7 @@ void set_directions_along(const geometry::VecArray& positions, const LayerReader
     }
 }
 
-// Reads all arrays. Returns the positions as they were given, and fills the other arrays of `layer`.
+// Reads all arrays of a layer. Returns the positions as given, and fills the other arrays of `layer`.
 geometry::VecArray read_layer(base::Memory& memory, const LayerArrays& arrays, std::int64_t place,
                               std::uint64_t random_seed, Layer& layer) {
     const LayerReader reader(arrays, place);
@@ -382,7 +384,7 @@ geometry::VecArray read_layer(base::Memory& memory, const LayerArrays& arrays, s
     return positions;
 }
 
-// Copies a layer without its clusters.
+// Copies a layer, except its clusters.
 void copy(const Layer& from, Layer& to) {
     to.name = from.name;
     to.progressive = from.progressive;
@@ -410,7 +412,8 @@ PointSet copy_of(const base::Runtime& runtime, const PointSet& base) {
     return set;
 }
 
-// Measures the whole set. If it had marks before, its origin stays, and its spacing is scaled for the same area.
+// Computes the bounds, origin and spacing of the whole set. If the set had marks before, its origin does not change,
+// and its spacing is scaled for the same area.
 void measure_all(const base::Runtime& runtime, const base::List<geometry::VecArray>& positions,
                  std::int64_t largest_before, PointSet& set) {
     if (largest_before == 0) {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr NormalVariation unknown_variation{-1.0F, {}};
 
-constexpr int cell_bits = 16; // bits for each coordinate of a mark's cell on the Morton curve
+constexpr int cell_bits = 16; // number of bits for each coordinate of a mark's cell on the Morton curve
 
 std::array<float, 3> to_floats(const glm::dvec3& v) noexcept {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -29,7 +29,7 @@ std::array<float, 3> to_floats(const glm::dvec3& v) noexcept {
 
 // ---- The bounds of a cluster. place(i) and normal(i) describe marks begin .. end - 1.
 
-// Returns a cone around the normals, slightly larger than exact, because it is stored in floats.
+// Returns a cone around the normals. It is slightly larger than necessary, because it is stored in floats.
 template <class Normal>
 Cone cone_around(std::int64_t begin, std::int64_t end, const Normal& normal) {
     HRBFNPR_ASSERT(begin < end);
@@ -42,7 +42,7 @@ Cone cone_around(std::int64_t begin, std::int64_t end, const Normal& normal) {
     return {to_floats(axis), static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
-// Sets the ball and the cone around the marks, both slightly larger than exact.
+// Sets the ball and the cone around the marks. Both are slightly larger than necessary.
 template <class Place, class Normal>
 void set_extent(Extent& extent, std::int64_t begin, std::int64_t end, const Place& place, const Normal& normal) {
     geometry::Bounds bounds;
@@ -55,8 +55,8 @@ void set_extent(Extent& extent, std::int64_t begin, std::int64_t end, const Plac
     extent.cone = cone_around(begin, end, normal);
 }
 
-// Returns how the normals turn, by the linear map from the marks' offsets from their mean to the normals' offsets that
-// is best in the sense of least squares.
+// Returns how the normals turn along the surface: the linear map from the marks' offsets to the normals' offsets, both
+// from the mean, by least squares.
 template <class Place, class Normal>
 NormalVariation fit_normal_variation(std::int64_t begin, std::int64_t end, const Place& place, const Normal& normal) {
     glm::dvec3 middle(0.0);
@@ -74,13 +74,14 @@ NormalVariation fit_normal_variation(std::int64_t begin, std::int64_t end, const
         spread += glm::outerProduct(p, p);
         mixed += glm::outerProduct(normal(i) - mean, p);
     }
-    // Marks lie near a plane. Their spread across it tells nothing, so the map is damped there.
+    // Marks lie near a plane. Their spread perpendicular to it is not informative, so the map is damped in this
+    // direction.
     const glm::dvec3 axis = glm::normalize(mean);
     const double trace = spread[0][0] + spread[1][1] + spread[2][2];
     const glm::dmat3 map = mixed * glm::inverse(spread + trace * glm::outerProduct(axis, axis));
     const glm::dmat3 s = 0.5 * (map + glm::transpose(map));
-    // The larger curvature follows from the trace and the Frobenius norm of a symmetric map of a plane. [Kindlmann et
-    // al. 2003]
+    // The larger curvature is computed from the trace and the Frobenius norm of the map in the tangent plane.
+    // [Kindlmann et al. 2003]
     const double squares = glm::dot(s[0], s[0]) + glm::dot(s[1], s[1]) + glm::dot(s[2], s[2]);
     const double t = s[0][0] + s[1][1] + s[2][2];
     const double bend = 0.5 * (std::abs(t) + std::sqrt(std::max(0.0, 2.0 * squares - t * t)));
@@ -89,7 +90,8 @@ NormalVariation fit_normal_variation(std::int64_t begin, std::int64_t end, const
     return {static_cast<float>(bend), {x[0], x[1], x[2], yz[0], yz[1], yz[2]}};
 }
 
-// The pointers lead to three floats for each mark of the layer. `tone_normals` may be null if they are unknown.
+// Sets the bounds of a piece. `positions` and the normals have three floats for each mark of the layer. `tone_normals`
+// may be null if they are unknown.
 void set_extent(StrokePiece& piece, const Layer& layer, const float* positions, const float* normals,
                 const float* tone_normals, double unit) {
     const std::int64_t begin = piece.first;
@@ -106,13 +108,13 @@ void set_extent(StrokePiece& piece, const Layer& layer, const float* positions, 
         piece, begin, end, [&](std::int64_t at) { return position(at) / unit; }, vectors(normals));
     piece.tone = tone_normals == normals   ? piece.cone
                  : tone_normals != nullptr ? cone_around(begin, end, vectors(tone_normals))
-                                           : Cone{{}, -1.0F, 0.0F}; // the cone of all directions
+                                           : Cone{{}, -1.0F, 0.0F}; // a cone that contains all directions
 }
 
 // ---- Clusters of a finished layer
 
 struct KeyedMark {
-    std::uint64_t key; // the direction set, the normal's side of a cube, the place along a Morton curve
+    std::uint64_t key; // the sort key: the direction set, the cube side of the normal, the position on a Morton curve
     std::uint32_t mark;
 };
 
@@ -142,7 +144,7 @@ base::Array<KeyedMark> sorted_along_curve(const Layer& layer, double unit, const
     return order;
 }
 
-// A layer whose marks are put into clusters, sorted by their keys.
+// A layer whose marks are put into clusters; the marks are sorted by their keys.
 struct SortedMarks {
     [[nodiscard]] glm::dvec3 place(std::int64_t i) const noexcept {
         return glm::dvec3(vector_at(layer.position, order[i].mark)) / unit;
@@ -154,7 +156,7 @@ struct SortedMarks {
     base::Array<KeyedMark> order;
 };
 
-// Adds the clusters of marks begin .. end - 1, and sorts these by rank.
+// Adds clusters of the marks begin .. end - 1. The marks of a cluster are sorted by rank.
 void add_clusters(SortedMarks& sorted, std::int64_t begin, std::int64_t end, const NormalVariation& turn,
                   base::Array<Cluster>& clusters) {
     const Layer& layer = sorted.layer;
@@ -163,7 +165,8 @@ void add_clusters(SortedMarks& sorted, std::int64_t begin, std::int64_t end, con
         const float v = layer.rank[b.mark];
         return u != v ? u > v : a.mark < b.mark;
     });
-    // More than most_in_cluster marks share a key only if they are all alike.
+    // A key that more than most_in_cluster marks share belongs to marks that are all alike, so the marks may be divided
+    // anywhere.
     for (; begin < end; begin += most_in_cluster) {
         Cluster cluster;
         cluster.count = static_cast<std::int32_t>(std::min(end - begin, most_in_cluster));
@@ -176,8 +179,9 @@ void add_clusters(SortedMarks& sorted, std::int64_t begin, std::int64_t end, con
     }
 }
 
-// Splits marks begin .. end - 1 into parts whose keys agree down to `shift`, until the parts are small enough. `parent`
-// is the turn of all these marks, for parts that are too small to show their own.
+// Splits the marks begin .. end - 1 into parts whose keys agree in the bits above `shift`, until the parts are small
+// enough. `parent` says how the normals of all these marks turn. It is used for parts that are too small to compute
+// this.
 void split_by_key(SortedMarks& sorted, std::int64_t begin, std::int64_t end, int shift, const NormalVariation& parent,
                   base::Array<Cluster>& clusters, const base::Progress& progress) {
     while (begin < end) {
@@ -246,9 +250,9 @@ void cut_strokes(const Layer& layer, double unit, base::Array<StrokePiece>& piec
 constexpr std::size_t most_lines = 64; // the largest number of lines beside a mark
 constexpr std::int64_t strokes_a_task = 16;
 
-// Returns the gap around a mark. Marks of its line and of the lines beside it have offsets across the line. The gap is
-// the mean of the differences between these offsets, where nearer marks have more weight. It is 1 if no mark is beside
-// it.
+// Returns the gap around a mark: the mean distance between neighbouring lines there. Marks on the mark's line and on
+// lines beside it have offsets across the line. The gap is the mean of the differences between these offsets, where
+// nearer marks have more weight. It is 1 if no mark is beside the mark.
 float gap_around(const Layer& layer, const geometry::VecArray& place, const geometry::PointGrid& grid,
                  std::int64_t mark) noexcept {
     const glm::dvec3 n = vector_at(layer.normal, mark);
@@ -260,7 +264,7 @@ float gap_around(const Layer& layer, const geometry::VecArray& place, const geom
         const std::int64_t other = grid.index(at);
         const glm::dvec3 way = (place[other] - place[mark]) / layer.report.step;
         const double u = glm::dot(way, across);
-        // The comparisons are false for NaN, so a mark with NaN is beside no other.
+        // Comparisons are false for NaN, so a mark with NaN is not beside any mark.
         if (count < most_lines && std::abs(u) < marks_tuning.gap_reach &&
             std::abs(glm::dot(way, along)) < marks_tuning.strip_half_width &&
             std::abs(glm::dot(way, n)) < marks_tuning.gap_steepest * std::abs(u) + 0.1 &&
@@ -283,12 +287,12 @@ float gap_around(const Layer& layer, const geometry::VecArray& place, const geom
     return weights > 0.0 ? static_cast<float>(sum / weights) : 1.0F;
 }
 
-// Fills the gap of each of the layer's marks, in separations: the distance between the lines around it, averaged over
-// some of these and along its own line, because tone depends on the share of paper of each line. `gap` stays empty for
-// a layer without lines of a known separation.
+// Computes the gap of each mark of the layer, in separations. The gap is the distance between the lines around the
+// mark. It is averaged over some of these lines and along the mark's own line, because the tone depends on the share of
+// paper that each line has. `gap` stays empty if the layer has no lines with a known separation.
 void measure_gaps(const base::Work& work, const Layer& layer, base::Array<float>& gap) {
     gap.clear();
-    // Published strokes keep no distance: the step in their report is not the distance between them.
+    // Published strokes keep no distance from each other: the step in their report is not a distance between strokes.
     const bool nested = layer.kind == Kind::own || (layer.kind == Kind::hatch && layer.progressive);
     if (!nested || layer.strokes() <= 1 || !(layer.report.step > 0.0)) return;
     HRBFNPR_ASSERT(layer.direction.size() == 3 * layer.count());
@@ -296,8 +300,8 @@ void measure_gaps(const base::Work& work, const Layer& layer, base::Array<float>
     geometry::VecArray place(work.memory, marks);
     for (std::int64_t i = 0; i < marks; ++i) place.set(i, glm::dvec3(vector_at(layer.position, i)));
     const geometry::PointGrid grid(place, marks_tuning.gap_reach * layer.report.step, work);
-    // A file may give any separation. If too many marks lie around each mark, gaps are not measured, because that would
-    // take too long.
+    // A file may have any separation. If too many marks lie within the reach of each mark, gaps are not measured,
+    // because that would take too long.
     const std::int64_t sample = std::max<std::int64_t>(marks / 32, 1);
     std::int64_t visits = 0;
     for (std::int64_t i = 0; i < marks; i += sample) grid.around(place[i], [&](std::int64_t) { ++visits; });
@@ -335,7 +339,8 @@ void copy_clusters(const MarkClusters& from, MarkClusters& to) {
     copy_arrays(from, to, &MarkClusters::block, &MarkClusters::width, &MarkClusters::cluster, &MarkClusters::piece);
 }
 
-// Returns the nearer of the two neighbours in the order of clusters that have enough marks and face alike, or null.
+// Returns the nearer of two clusters, or null: the previous and the next cluster in order that have enough marks and
+// face the same side.
 const Cluster* nearest_with_variation(const base::Array<Cluster>& clusters, std::int64_t c) noexcept {
     const Cluster& own = clusters[c];
     const auto vector = [](const std::array<float, 3>& a) { return glm::vec3(a[0], a[1], a[2]); };
@@ -385,7 +390,7 @@ void move_clusters(const Layer& layer, const float* position, const float* norma
             const float* const n = normal + 3 * std::int64_t{block.mark[at]};
             block.set(at, glm::dvec3(p[0], p[1], p[2]) / unit, {n[0], n[1], n[2]});
         }
-    // Normals for tone of a moved set are unknown, because they turn with their marks' directions, too.
+    // The normals for tone of a moved set are unknown, because they turn with the marks' directions, too.
     const float* const tone_normal = layer.tone_normal.empty() ? normal : nullptr;
     for (StrokePiece& piece : moved.piece) set_extent(piece, layer, position, normal, tone_normal, unit);
     const auto place_in = [&](std::int64_t slot) {
@@ -401,7 +406,7 @@ void move_clusters(const Layer& layer, const float* position, const float* norma
         if (cluster.count >= marks_tuning.fewest_to_fit)
             static_cast<NormalVariation&>(cluster) = fit_normal_variation(begin, end, place_in, normal_in);
     }
-    // A cluster with too few marks takes the bend of the nearest neighbour with enough marks.
+    // A cluster with too few marks copies its bend from the nearest neighbour with enough marks.
     for (std::int64_t c = 0; c < moved.cluster.size(); ++c) {
         if (moved.cluster[c].count >= marks_tuning.fewest_to_fit) continue;
         const Cluster* const nearest = nearest_with_variation(moved.cluster, c);

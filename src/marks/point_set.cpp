@@ -22,7 +22,7 @@ std::int64_t Layer::bytes() const noexcept {
            clusters.bytes() + report.level.bytes();
 }
 
-// Strokes are sorted by number whenever stroke_order is not empty, so a binary search finds the stroke.
+// Strokes are sorted by number whenever stroke_order is not empty, so a binary search can find a stroke.
 std::int64_t Layer::stroke_of(std::int64_t mark) const noexcept {
     HRBFNPR_ASSERT(mark >= 0 && mark < count());
     if (!has_strokes()) return -1;

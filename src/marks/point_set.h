@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The marks on a surface, in layers. They are immutable once made, and stored as structures of arrays.
+// The marks on a surface, in layers. A set does not change once it is made. Marks are stored as structures of arrays.
 #pragma once
 
 #include "base/assert.h"
@@ -24,15 +24,15 @@ enum class SeedSource : std::uint32_t { automatic = 0, samples = 1, box = 2, poi
 
 // The article's recursion has at most this many levels.
 inline constexpr int most_levels = 12;
-// The largest number of layers. Longer lists are mistakes: an array of marks was given as layers.
+// The largest number of layers. A longer list is regarded as a mistake: an array of marks was given as layers.
 inline constexpr std::int64_t most_layers = 65536;
 
-// Zero-terminated UTF-8.
+// A name in zero-terminated UTF-8.
 using LayerName = std::array<char, 64>;
 // Returns the name that an unnamed layer of this kind gets, such as "stipples"; empty for Kind::any.
 [[nodiscard]] LayerName default_name(Kind kind) noexcept;
 
-// The numbers of candidates: attempted = placed + the sum of all dropped candidates.
+// The counts of candidates at a level: attempted = placed + the sum of all dropped candidates.
 struct LevelReport {
     std::int64_t attempted = 0;
     std::int64_t placed = 0;
@@ -49,23 +49,23 @@ struct LayerReport {
     std::int32_t levels = 0;
     double step = 0.0;
     double seconds = 0.0;
-    base::Array<LevelReport> level; // by level; a missing level has no candidates
+    base::Array<LevelReport> level; // indexed by level; a missing level has no candidates
 
-    // Returns the report of a level, after adding all missing levels up to it.
+    // Returns the report of a level. Missing levels up to it are added.
     [[nodiscard]] LevelReport& of(std::int32_t number) {
         if (level.size() <= number) level.resize(std::int64_t{number} + 1);
         return level[number];
     }
 };
 
-// Returns a rank in [0,1). Rounding to float must not make it 1.
+// Returns a rank in [0,1). Rounding u to a float must not give 1.
 [[nodiscard]] inline float rank_of(double u) noexcept {
     constexpr float below_one = 0x1.fffffep-1F;
     return std::min(static_cast<float>(u), below_one);
 }
 
-// The range of tones in which a layer of marks appears: from the darkness at which the first mark is shown to the
-// darkness at which all are.
+// The range of tones in which a layer of marks appears, from the darkness at which its first mark is shown to the
+// darkness at which all its marks are shown.
 struct TonePart {
     double begin = 0.0;
     double end = 1.0;
@@ -77,7 +77,7 @@ struct TonePart {
     }
 };
 
-// Access vectors in arrays of 3n floats.
+// Read and write vectors in arrays of 3n floats.
 inline void set_vector(base::Array<float>& array, std::int64_t i, const glm::dvec3& v) noexcept {
     HRBFNPR_ASSERT(i >= 0 && 3 * i + 2 < array.size());
     for (int axis = 0; axis < 3; ++axis) array[3 * i + axis] = static_cast<float>(v[axis]);
@@ -86,7 +86,7 @@ inline void set_vector(base::Array<float>& array, std::int64_t i, const glm::dve
     return {array[3 * i], array[3 * i + 1], array[3 * i + 2]};
 }
 
-// Copies an array. Reuses the memory of `to`.
+// Copies an array into the memory of `to`, if that is large enough.
 template <class T>
 void copy_array(const base::Array<T>& from, base::Array<T>& to) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -101,10 +101,10 @@ void copy_array(const base::Array<T>& from, base::Array<T>& to) {
 // Sixteen marks. Each array of sixteen numbers fills a cache line.
 struct MarkBlock {
     static constexpr std::int64_t size = 16;
-    float x[size], y[size], z[size]; // relative to the set's origin, in the set's unit
+    float x[size], y[size], z[size]; // relative to the origin of the set, in the unit of the set
     float nx[size], ny[size], nz[size];
-    float rank[size];         // descends within a block, and from block to block of a cluster
-    std::uint32_t mark[size]; // the mark's number in the layer
+    float rank[size];         // in descending order within a block, and from block to block of a cluster
+    std::uint32_t mark[size]; // indices of the marks in the layer
 
     [[nodiscard]] glm::vec3 place_at(std::int64_t i) const noexcept { return {x[i], y[i], z[i]}; }
     [[nodiscard]] glm::vec3 normal_at(std::int64_t i) const noexcept { return {nx[i], ny[i], nz[i]}; }
@@ -118,40 +118,41 @@ struct MarkBlock {
     }
 };
 
-// Holds the directions whose angle with the axis is no larger than its half angle.
+// The set of directions whose angle with the axis is at most the cone's half angle.
 struct Cone {
     std::array<float, 3> axis{};
     float cosine = 1.0F, sine = 0.0F; // the cosine and sine of the half angle
 };
 
-// Describes how normals turn along a surface.
+// How normals turn along a surface.
 struct NormalVariation {
-    float max_curvature = 0.0F; // the largest absolute normal curvature; < 0: unknown
-    // dn/dp: xx, xy, xz, yy, yz, zz. Outward normals: positive where convex.
+    float max_curvature = 0.0F; // the largest absolute normal curvature; negative if unknown
+    // The derivative of the normal by the place, as a symmetric matrix: xx, xy, xz, yy, yz, zz. If normals point
+    // outward, it is positive where the surface is convex.
     std::array<float, 6> shape{};
 };
 
-// The bounds of some marks' places and normals. Lengths and curvatures are in the set's unit.
+// The bounds of the places and normals of some marks. Lengths and curvatures are in the unit of the set.
 struct Extent {
-    float radius = 0.0F; // radius of the ball around the centre that holds all marks
+    float radius = 0.0F; // radius of the ball around the centre that contains all marks
     std::array<float, 3> centre{};
-    Cone cone; // holds all normals
+    Cone cone; // contains all normals
 };
 
 struct Cluster : Extent, NormalVariation {
-    std::int64_t block = 0;      // its first block; its last block may be partly empty
+    std::int64_t block = 0;      // the index of its first block; its last block may be partly empty
     std::int32_t count = 0;      // the number of marks
-    std::uint32_t direction = 0; // the direction, 0 or 1, of the strokes of all its marks; 0 without strokes
+    std::uint32_t direction = 0; // the direction (0 or 1) of the strokes of its marks; 0 if there are no strokes
 };
 
-// Consecutive marks of a stroke. The pieces of all strokes are in order, and a stroke of n marks has pieces_of(n) of
-// them.
+// Consecutive marks of a stroke. The pieces of all strokes are stored in order. A stroke of n marks has pieces_of(n)
+// pieces.
 struct StrokePiece : Extent {
     static constexpr std::int64_t most = 32;
-    Cone tone;               // holds all normals for tone, which may lie outside the cone of normals
-    std::uint32_t first = 0; // the first mark's place in the order of the strokes
+    Cone tone;               // contains all normals for tone, which may lie outside the cone of normals
+    std::uint32_t first = 0; // the position of its first mark in the order of the strokes
     std::uint8_t count = 0;
-    std::uint8_t level = 0; // the lowest level of its marks
+    std::uint8_t level = 0; // the lowest level among its marks
 };
 
 [[nodiscard]] constexpr std::int64_t pieces_of(std::int64_t marks) noexcept {
@@ -163,10 +164,10 @@ struct MarkClusters {
         : block(memory), width(memory), cluster(memory), piece(memory), gap(memory) {}
 
     base::Array<MarkBlock> block;
-    base::Array<float> width; // the width of the mark at each place in the blocks; empty: all are 1
+    base::Array<float> width; // the width of each mark, in the order of the blocks; empty if all are 1
     base::Array<Cluster> cluster;
     base::Array<StrokePiece> piece; // the pieces of all strokes
-    base::Array<float> gap;         // the gap of each mark, in separations, by measure_gaps(); or empty
+    base::Array<float> gap;         // the gap of each mark, in separations, as measure_gaps() computes it; or empty
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };
@@ -175,7 +176,7 @@ inline constexpr std::int64_t most_in_cluster = 128;
 
 // ---- Layers and sets
 
-// Copies some arrays of an object.
+// Copies the given array members of an object.
 template <class Owner, class... Members>
 void copy_arrays(const Owner& from, Owner& to, Members... member) {
     (copy_array(from.*member, to.*member), ...);
@@ -190,19 +191,21 @@ struct Layer {
 
     Kind kind;
     LayerName name;
-    bool progressive = false;        // each prefix in the order of falling ranks is evenly spread
-    base::Array<float> position;     // 3n, relative to the set's origin
-    base::Array<float> normal;       // 3n
-    base::Array<float> direction;    // 3n
-    base::Array<float> curvature;    // 3n, or empty
-    base::Array<float> rank;         // n
-    base::Array<std::uint8_t> level; // n; the level at which each mark was added, in a recursion or in nested hatching
-    base::Array<std::uint32_t> stroke;       // 2n
-    base::Array<float> width;                // n, or empty: all 1
-    base::Array<float> tone_normal;          // 3n, or empty: `normal`
-    base::Array<std::uint32_t> stroke_first; // S + 1 places in the order of the strokes; or empty: no strokes
-    base::Array<std::uint32_t> stroke_order; // n; or empty: the marks are stored stroke by stroke
-    MarkClusters clusters;                   // the clusters of all marks, made by cluster_marks()
+    bool progressive = false;     // true if each prefix of the marks in descending order of rank is evenly spread
+    base::Array<float> position;  // 3n numbers, relative to the origin of the set
+    base::Array<float> normal;    // 3n numbers
+    base::Array<float> direction; // 3n numbers
+    base::Array<float> curvature; // 3n numbers, or empty
+    base::Array<float> rank;      // n numbers
+    // N numbers: the level at which each mark was added, in a recursion or in nested hatching.
+    base::Array<std::uint8_t> level;
+    base::Array<std::uint32_t> stroke; // 2n numbers
+    base::Array<float> width;          // n numbers; empty if all are 1
+    base::Array<float> tone_normal;    // 3n numbers; empty if they equal `normal`
+    // For S strokes, S + 1 positions in the order of the strokes; empty if there are no strokes.
+    base::Array<std::uint32_t> stroke_first;
+    base::Array<std::uint32_t> stroke_order; // n numbers; empty if the marks are stored stroke by stroke
+    MarkClusters clusters;                   // the clusters of the marks, which cluster_marks() makes
     LayerReport report;
 
     [[nodiscard]] std::int64_t count() const noexcept { return rank.size(); }
@@ -210,11 +213,11 @@ struct Layer {
 
     [[nodiscard]] bool has_strokes() const noexcept { return !stroke_first.empty(); }
     [[nodiscard]] std::int64_t strokes() const noexcept { return has_strokes() ? stroke_first.size() - 1 : 0; }
-    // Returns the mark at a place in the order of the strokes.
+    // Returns the index of the mark at a position in the order of the strokes.
     [[nodiscard]] std::int64_t mark_of(std::int64_t place_in_order) const noexcept {
         return stroke_order.empty() ? place_in_order : std::int64_t{stroke_order[place_in_order]};
     }
-    // Returns the stroke that a mark belongs to, or -1.
+    // Returns the index of the stroke that a mark belongs to, or -1.
     [[nodiscard]] std::int64_t stroke_of(std::int64_t mark) const noexcept;
     // Returns the direction of a mark's stroke, 0 or 1. The layer must have strokes.
     [[nodiscard]] std::uint32_t direction_of(std::int64_t mark) const noexcept { return stroke[2 * mark] & 1U; }
@@ -228,7 +231,7 @@ struct PointSet {
     glm::dvec3 origin{0.0};
     geometry::Bounds bounds; // the box around all marks, in absolute coordinates
     double spacing = 0.0;
-    double unit = 1.0; // the clusters' unit of length, a power of two, chosen by cluster_marks()
+    double unit = 1.0; // the unit of length of the clusters, a power of two that cluster_marks() chooses
     LevelReport seeds;
     double seconds_seeds = 0.0;
     double seconds_total = 0.0;
@@ -239,20 +242,20 @@ struct PointSet {
     [[nodiscard]] std::int64_t largest() const noexcept; // the number of marks in the largest layer
 };
 
-// Fills stroke_first and stroke_order from `stroke`. Strokes are in the order of their numbers.
+// Fills stroke_first and stroke_order from `stroke`. Strokes are sorted by their numbers.
 void index_strokes(Layer& layer, const base::Progress& progress = {});
 
-// Fills set.unit and the layers' clusters. Accepts any finite numbers. The result has the same bits for any number of
-// threads.
+// Fills set.unit and the clusters of all layers. Numbers may have any finite size. The result has the same bits for any
+// number of threads.
 void cluster_marks(const base::Work& work, PointSet& set);
 
-// Fills `moved` with the same marks in the same clusters at other places, for example on an animated surface.
-// `position` (relative to the set's origin) and `normal` hold three floats for each mark. `unit` is the set's.
-// Allocates nothing if `moved` has held as many marks before.
+// Fills `moved` with the same clusters of the same marks at other places, for example on an animated surface.
+// `position` (relative to the set's origin) and `normal` have three floats for each mark. `unit` is the unit of the
+// set. Allocates nothing if `moved` had at least as many marks before.
 void move_clusters(const Layer& layer, const float* position, const float* normal, double unit, MarkClusters& moved);
 
-// Fills `turned` with the same marks in the same clusters with opposite normals. Allocates nothing if `turned` has held
-// as many marks before.
+// Fills `turned` with the same clusters of the same marks, but with opposite normals. Allocates nothing if `turned` had
+// at least as many marks before.
 void turn_clusters(const MarkClusters& clusters, MarkClusters& turned);
 
 } // namespace hrbfnpr::marks

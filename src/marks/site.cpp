@@ -40,7 +40,7 @@ void MarkProjector::project(double stray_limit, LevelReport& report, const base:
     drop_beyond_end(report);
 }
 
-// Drops points where the samples do not support the surface.
+// Drops points where samples do not support the surface.
 void MarkProjector::drop_beyond_end(LevelReport& report) {
     if (site_.implicit.domain() == nullptr) return;
     constexpr std::int64_t grain = 256;
@@ -143,7 +143,8 @@ void require_room(std::int64_t layer, std::int64_t full_count, std::int32_t leve
          static_cast<long long>(layer));
 }
 
-// The first layer of stipples and the first of hatching have the set's own seed.
+// Returns the seed of the layer's random numbers. The first layer of stipples and the first layer of hatching use the
+// seed of the set.
 std::uint64_t layer_seed(std::uint64_t random_seed, Kind kind, std::int64_t number) noexcept {
     if (number == 0 && kind != Kind::own) return random_seed;
     const auto n = static_cast<std::uint64_t>(number);
@@ -160,11 +161,11 @@ std::uint64_t Thinning::ticket(std::uint64_t key) const noexcept {
     return static_cast<std::uint64_t>(bits[0]) << 32U | bits[1];
 }
 
-// The limit is the ticket at place `kept` in sorted order. Tickets are uniform, so only a few share their first bits
-// with it, and only those are ordered; the others are counted.
+// Finds the limit: the ticket at index `kept` in sorted order. Tickets are uniform random numbers, so only a few have
+// the same first bits as the limit. Only these are sorted; the others are counted.
 void Thinning::choose(base::Array<std::uint64_t>& tickets, std::int64_t kept, const base::Progress& progress) {
     HRBFNPR_ASSERT(kept >= 0 && kept < tickets.size());
-    constexpr unsigned first_bits = 52; // tickets have 64 bits; each value of the upper 12 has a counter
+    constexpr unsigned first_bits = 52; // tickets have 64 bits; each value of the upper 12 bits has a counter
     std::array<std::int64_t, std::size_t{1} << (64U - first_bits)> counted{};
     for (const std::int64_t i : progress.over(tickets.size())) {
         ++counted[static_cast<std::size_t>(tickets[i] >> first_bits)];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The data that all stages of the sampling share: the surface, seeds, the caller's directions, the projection of points
-// onto the surface, and the growing marks of a layer in double precision.
+// The data that all stages of mark generation share: the surface, the seeds, the caller's directions, the projection of
+// points onto the surface, and the growing marks of a layer in double precision.
 #pragma once
 
 #include "base/work.h"
@@ -19,10 +19,10 @@ struct Site {
     const implicit::Implicit& implicit;
     double projection_tolerance; // in diagonals
     std::uint64_t random_seed;
-    double unit = 1.0; // the unit of all lengths here, in the caller's unit
+    double unit = 1.0; // the unit of all lengths in this struct, in the caller's units
 
     [[nodiscard]] base::Memory& memory() const noexcept { return work.memory; }
-    // Return the same site with a part of the work's progress, or with another progress.
+    // Return the same site, with a part of the work's progress or with other work.
     [[nodiscard]] Site part(double from, double to) const noexcept { return with(work.progress().part(from, to)); }
     [[nodiscard]] Site without_progress() const noexcept { return with(work.progress().without_progress()); }
     [[nodiscard]] Site with(const base::Progress& progress) const noexcept {
@@ -30,7 +30,7 @@ struct Site {
     }
 };
 
-// A stage handles this many points at a time. This bounds its scratch memory and the time between two checks for
+// The number of points that a stage handles at a time. It bounds scratch memory and the time between two checks for
 // cancellation, and is enough work for all threads.
 inline constexpr std::int64_t chunk_size = 16384;
 
@@ -40,17 +40,17 @@ public:
     explicit MarkProjector(const Site& site) noexcept
         : start(site.memory()), site_(site), projection_(site.memory()), placed_(site.memory()) {}
 
-    // Counts every start in `report` as attempted, and as placed or dropped. A start is dropped as strayed if it lands
-    // farther than `stray_limit` away.
+    // Projects the points in `start`. Counts each of them in `report` as attempted, and as placed or dropped. A point
+    // that lands farther than `stray_limit` from its start is dropped as strayed.
     void project(double stray_limit, LevelReport& report, const base::Progress& progress);
 
     [[nodiscard]] bool placed(std::int64_t i) const noexcept { return placed_[i] != 0; }
     [[nodiscard]] glm::dvec3 position(std::int64_t i) const noexcept { return projection_.position[i]; }
     [[nodiscard]] glm::dvec3 normal(std::int64_t i) const noexcept;
-    // Drops a point that was placed.
+    // Drops a point that was placed before. `reason` is the counter to increase.
     void drop(std::int64_t i, std::int64_t& reason, LevelReport& report) noexcept;
 
-    geometry::VecArray start; // filled by the caller
+    geometry::VecArray start; // the starting points; the caller fills it
 
 private:
     static constexpr std::uint8_t beyond = 2;
@@ -69,8 +69,8 @@ struct FieldSamples {
     base::Array<double> value;
     geometry::VecArray gradient;
 
-    // Returns the first-order distance to the surface, f / |grad f|. It is infinite or NaN where that is not defined,
-    // for example where the square of the gradient overflows or vanishes.
+    // Returns the first-order estimate f / |grad f| of the distance to the surface. It is infinite or NaN where it is
+    // undefined, for example where the square of the gradient overflows or becomes 0.
     [[nodiscard]] double distance(std::int64_t i) const noexcept {
         const double slope = glm::length(gradient[i]);
         return surface::is_usable_slope(slope) ? value[i] / slope : std::numeric_limits<double>::quiet_NaN();
@@ -82,19 +82,19 @@ void evaluate(const Site& site, const geometry::VecArray& points, FieldSamples& 
 struct Seeds {
     explicit Seeds(base::Memory& memory) noexcept : position(memory), normal(memory) {}
 
-    geometry::VecArray position; // on the surface
-    geometry::VecArray normal;   // unit
+    geometry::VecArray position; // places on the surface
+    geometry::VecArray normal;   // unit normals
     SeedSource source = SeedSource::points;
     LevelReport report;
-    double step = 0.0; // rho_0: the caller's value, or the estimate for this source
+    double step = 0.0; // rho_0 of the article: the caller's value, or an estimate from the seeds
 };
 
-// Functions of the caller that return directions or densities at places.
+// A function of the caller that returns directions or densities at places.
 using PointFunction = std::int32_t (*)(void* user, std::int64_t count, const double* positions, const double* normals,
                                        double* results);
 
-// Asks for `components` numbers at each place. Calls the function on the calling thread, for some places at a time. The
-// numbers are 0 before the call. Throws Error{callback} with the function's name if it fails.
+// Calls a function of the caller for `components` numbers at each place, on the calling thread, for some of the places
+// at a time. The numbers are 0 before each call. If the function fails, throws Error{callback} with its name.
 [[nodiscard]] base::Array<double> call_at_points(const Site& site, PointFunction function, void* user, const char* name,
                                                  const geometry::VecArray& positions, const geometry::VecArray& normals,
                                                  std::int64_t components);
@@ -107,20 +107,20 @@ struct DirectionFunction {
     [[nodiscard]] bool operator==(const DirectionFunction& other) const noexcept = default;
 };
 
-// Returns the unit vector of d's part in the plane perpendicular to n, or 0 if that part is too short.
+// Returns the unit vector of d's component perpendicular to n; 0 if this component is too short.
 [[nodiscard]] glm::dvec3 tangent_part(const glm::dvec3& d, const glm::dvec3& n) noexcept;
 
-// Fills in unit tangents, or zero where the field has none. Throws Error{callback}.
+// Returns unit tangents, or 0 where the function gives no direction. Throws Error{callback}.
 void directions_at(const Site& site, const DirectionFunction& field, const geometry::VecArray& positions,
                    const geometry::VecArray& normals, geometry::VecArray& directions);
 
-// The limits for the size of a model or set on which marks, which are floats, can be placed. Distances and curvatures
-// in the caller's unit then stay within a float's normal range.
+// The smallest and largest size of a model or set on which marks can be placed. Within these limits, distances and
+// curvatures in the caller's unit are in the normal range of a float.
 inline constexpr double smallest_size = 1e-33;
 inline constexpr double largest_size = 1e33;
 
-// Throws Error{invalid_argument} for sizes beyond these limits. `what` names the object of that size, and `remedy` what
-// to scale.
+// Throws Error{invalid_argument} if a size is beyond these limits. The message uses `what` for the object of that size,
+// and `remedy` for what to scale.
 void require_size(const char* what, double size, const char* remedy);
 
 // ---- Marks
@@ -132,15 +132,18 @@ struct Marks {
 
     geometry::VecArray position;
     geometry::VecArray normal;
-    geometry::VecArray direction;                // strokes only, until assembled
+    geometry::VecArray direction;                // only for strokes, until the layer is assembled
     base::Array<std::array<float, 3>> curvature; // k1, k2, confidence; may be empty
-    base::Array<double> curvature_along;         // curvature strokes only: the normal curvature along the direction
-    base::Array<std::uint64_t> key;    // the mark's identity, whatever marks were dropped; keys random numbers
-    base::Array<std::uint32_t> stroke; // for a stroke: 2 * seed + its direction, 0 or 1; for a stipple: its seed
-    base::Array<std::int32_t> place;   // the place along the stroke, in finest steps from the seed
+    // Only for strokes along curvature: the normal curvature along the direction.
+    base::Array<double> curvature_along;
+    // A number that identifies the mark, whatever other marks were dropped; it is the key of random numbers.
+    base::Array<std::uint64_t> key;
+    // For a stroke: 2 * seed + direction (0 or 1); for a stipple: the index of its seed.
+    base::Array<std::uint32_t> stroke;
+    base::Array<std::int32_t> place; // the position along the stroke, in steps of the finest level from the seed
     base::Array<std::uint8_t> level;
-    base::Array<float> rank;  // may be empty: assemble() makes them. If not, marks are in their final order
-    base::Array<float> width; // may be empty: all 1
+    base::Array<float> rank;  // if empty, assemble() makes the ranks; if not, the marks are in their final order
+    base::Array<float> width; // empty if all are 1
 
     [[nodiscard]] std::int64_t count() const noexcept { return position.size(); }
 };
@@ -151,24 +154,25 @@ struct Marks {
     return static_cast<float>(k < -most ? -most : k > most ? most : k);
 }
 
-// Larger sets are refused before they are made: identities of marks are 32 bits wide.
+// The largest number of marks in a layer. Larger layers are refused before they are made, because mark ids have 32
+// bits.
 inline constexpr std::int64_t most_marks = std::int64_t{1} << 31;
-// The limit for BLUE_NOISE, which takes some 300 bytes for each mark while it works.
+// The largest number of marks for BLUE_NOISE, which needs about 300 bytes of working memory for each mark.
 inline constexpr std::int64_t most_even_marks = 100000000;
 
 // Returns base * factor^levels. This does not overflow for any input that the boundary accepts.
 [[nodiscard]] std::int64_t grown_count(std::int64_t base, std::int64_t factor, std::int32_t levels) noexcept;
 
-// Refuses layers[layer] if it would have more than most_marks after `levels` steps. Layer -1 is the stipples that serve
-// only as starts of strokes.
+// Refuses layers[layer] if it would have more than most_marks after `levels` steps. Layer -1 is the stipples that are
+// made only as starts of strokes.
 void require_room(std::int64_t layer, std::int64_t full_count, std::int32_t levels, std::int64_t budget);
 
-// A random choice of `kept` candidates: it keeps the candidates with the smallest random keys. So the choice does not
-// depend on the order of the candidates.
+// Chooses `kept` candidates at random: those with the smallest random keys. So the choice does not depend on the order
+// of the candidates.
 class Thinning {
 public:
     Thinning() noexcept = default; // keeps all candidates
-    // key_of(i) identifies candidate i in [0, count).
+    // key_of(i) returns a number that identifies candidate i in [0, count).
     template <class KeyOf>
     Thinning(const Site& site, std::int64_t count, std::int64_t kept, std::uint32_t stream, KeyOf key_of);
 
@@ -182,7 +186,7 @@ private:
     bool active_ = false;
     std::uint64_t seed_ = 0;
     std::uint32_t stream_ = 0;
-    std::uint64_t limit_ = 0; // candidates with tickets below it are kept
+    std::uint64_t limit_ = 0; // candidates with tickets below this are kept
 };
 
 template <class KeyOf>
@@ -197,11 +201,12 @@ Thinning::Thinning(const Site& site, std::int64_t count, std::int64_t kept, std:
     choose(tickets, kept, site.work);
 }
 
-// Returns the seed of a layer's random numbers, which do not depend on the other layers. `number` is the layer's number
-// among those of its kind.
+// Returns the seed of the random numbers of a layer, which do not depend on the other layers. `number` is the layer's
+// index among layers of its kind.
 [[nodiscard]] std::uint64_t layer_seed(std::uint64_t random_seed, Kind kind, std::int64_t number) noexcept;
 
-// Streams keep the random numbers of stipples and of strokes with the same seed apart.
+// The number of streams of random numbers. Stipples and strokes use separate streams, so that their numbers differ even
+// with the same seed.
 inline constexpr std::uint32_t stream_count = 2;
 [[nodiscard]] constexpr std::uint32_t stream_of(Kind kind) noexcept { return kind == Kind::hatch ? 1U : 0U; }
 

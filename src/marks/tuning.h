@@ -9,49 +9,54 @@ namespace hrbfnpr::marks {
 struct MarksTuning {
     // ---- Clusters
 
-    // Clusters of fewer marks do not show how their normals turn. Larger: more clusters take the bend of a neighbour.
+    // A cluster with fewer marks is too small to compute how its normals turn. Larger: more clusters copy the bend of a
+    // neighbour.
     std::int64_t fewest_to_fit = 12;
-    // Curvatures above this count as unknown, such as those of marks at one place with different normals; per unit of
-    // the set.
+    // Curvatures above this, per unit of the set, count as unknown. They occur for marks at the same place with
+    // different normals.
     double most_curvature = 1e30;
-    // A cluster with too few marks takes the bend of a neighbour if the cosine between their axes is larger than this.
+    // A cluster with too few marks copies the bend of a neighbour if the cosine between the axes of their cones is
+    // above this.
     float neighbour_cosine = 0.7F;
 
     // ---- Gaps between lines; lengths are in separations
 
-    // Lines are searched for up to this distance on either side. Larger: smoother gaps.
+    // Lines are searched for up to this distance on either side, in separations. Larger: smoother gaps.
     double gap_reach = 2.5;
-    // Half the width of the strip across a line in which marks of other lines are looked for. The strip holds a mark or
-    // two of each line. Larger: lines beside a bend are counted where they are not.
+    // Half the width of the strip across a line in which marks of other lines are searched for, in separations. The
+    // strip contains one or two marks of each line. Larger: near a bend, lines are found that are not beside the mark.
     double strip_half_width = 0.35;
-    // A mark lies on another sheet if it leaves the tangent plane by more than this part of its distance, or if the
-    // cosine between the normals is not above `gap_cosine`.
+    // A mark counts as on another sheet if its distance from the tangent plane is above this share of its distance, or
+    // if the cosine between the normals is at most `gap_cosine`.
     double gap_steepest = 0.6;
     double gap_cosine = 0.5;
-    // Marks whose offsets across differ by less than this belong to one line. Larger: close lines count as one.
+    // Marks belong to the same line if their offsets across differ by less than this, in separations. Larger: close
+    // lines count as one.
     double same_line = 0.3;
-    // The largest gap: wider gaps count as this wide. Larger: lines beside holes are drawn wider.
+    // The largest gap, in separations. Wider gaps are reduced to this. Larger: lines beside holes are drawn wider.
     double widest_gap = 2.0;
-    // The number of marks of a line from one measurement of its gap to the next, and the number of measurements on
-    // either side that are averaged: over some three separations. Larger: less time, slower changes.
+    // The gap of a line is measured once for this many marks. The second number is how many measurements on either side
+    // are averaged, over about three separations. Larger: less time, slower changes.
     std::int64_t marks_per_measurement = 4;
     std::int64_t averaged_measurements = 2;
-    // Gaps are not measured in layers with more marks than this around each mark, because a file may give any
+    // Gaps are not measured in a layer with more marks than this around each mark, because a file may have any
     // separation.
     std::int64_t most_neighbours = 4000;
 
     // ---- Normals for tone
 
-    // Normals within this many lengths of tone smoothing are averaged, over about the second number of marks.
+    // Normals are averaged over marks within this many lengths of tone smoothing. The second number is about how many
+    // marks are used.
     double tone_reach = 2.0;
     double tone_marks = 64.0;
-    // A mark lies on another sheet if it leaves the tangent plane by more than this part of its distance.
+    // A mark counts as on another sheet if its distance from the tangent plane is above this share of its distance.
     double tone_steepest = 0.7;
 
     // ---- The spacing of marks on an unknown surface
 
-    // From this many marks on, the area is estimated by the cells that the marks occupy, where each cell holds the
-    // second number of marks on average. Larger: corners that the surface hardly cuts count less, and so do fine forms.
+    // With at least this many marks, the area is estimated from the cells of a grid that contain marks. The second
+    // number is the average number of marks in such a cell. Larger: corners that the surface hardly cuts have less
+    // effect, and so have fine forms.
     std::int64_t fewest_for_cells = 512;
     double marks_a_cell = 8.0;
 };
