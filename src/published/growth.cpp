@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Both recursions have the same steps: place_seeds() thins the seeds to fit into the budget. In each further level
-// refine_level() thins the children of all marks, settles them on the surface and appends them.
+// Both recursions have the same steps. place_seeds() thins the seeds to fit into the budget. For each further level,
+// refine_level() thins the children of all marks, projects them onto the surface and appends them.
 #include "published/growth.h"
 
 #include "base/random.h"
@@ -25,17 +25,17 @@ struct Growth {
     marks::Marks& grown;
     marks::LayerReport& report;
     marks::Kind kind;
-    std::int64_t children; // how many children a mark has in the next level
+    std::int64_t children; // the number of children of a mark in the next level
     marks::MarkProjector projector{site};
-    base::Array<std::int64_t> child{site.memory()}; // the number of each of the projector's starts among all children
+    base::Array<std::int64_t> child{site.memory()}; // for each of the projector's starts, its index among all children
 
     [[nodiscard]] bool by_curvature() const noexcept {
         return kind == marks::Kind::hatch && settings.directions == Directions::principal;
     }
 };
 
-// Reserves room for `count` marks in each column that grows. Checks for cancellation between the columns, because
-// growing a column takes long.
+// Reserves room for `count` marks in each growing column. Checks for cancellation between columns, because growing a
+// column takes long.
 void make_room(Growth& growth, std::int64_t count, const base::Progress& progress) {
     marks::Marks& marks = growth.grown;
     const auto make = [&](auto&... column) { (make_room_long(column, count, progress), ...); };
@@ -44,7 +44,7 @@ void make_room(Growth& growth, std::int64_t count, const base::Progress& progres
     if (growth.by_curvature()) make(marks.curvature_along, marks.curvature);
 }
 
-// Calls append(i) for the seeds that fit into the budget. Returns whether some seeds did not fit.
+// Calls append(i) for the seeds that fit into the budget. Returns whether seeds were left out.
 template <class KeyOf, class Append>
 bool place_seeds(Growth& growth, std::int64_t count, const KeyOf& key_of, const Append& append,
                  const base::Progress& progress) {
@@ -61,9 +61,9 @@ bool place_seeds(Growth& growth, std::int64_t count, const KeyOf& key_of, const 
     return thinning.active();
 }
 
-// Projects the children that fit into the budget, chunk by chunk. Child i, of mark i / children, starts at start_of(i),
-// and is dropped if it lands farther than `stray_limit` from there. append(progress) takes a chunk from the projector.
-// Returns whether the budget cut the level.
+// Projects the children that fit into the budget, chunk by chunk. Child i belongs to mark i / children, and starts at
+// start_of(i). It is dropped if it lands farther than `stray_limit` from its start. append(progress) takes the
+// projected points of a chunk. Returns whether the budget cut the level.
 template <class KeyOf, class StartOf, class Append>
 bool refine_level(Growth& growth, std::int32_t number, double stray_limit, const KeyOf& key_of, const StartOf& start_of,
                   const Append& append, const base::Progress& progress) {
@@ -96,8 +96,9 @@ bool refine_level(Growth& growth, std::int32_t number, double stray_limit, const
     return thinning.active();
 }
 
-// Refines level by level until the budget cuts a level. Each step is a third of the step before. refine(level, step,
-// progress) returns whether the budget cut the level. `full` tells that level 0 was cut.
+// Refines level by level until the budget cuts a level. The step of a level is a third of the previous step.
+// refine(level, step, progress) returns whether the budget cut the level. `full` tells whether the budget already cut
+// level 0.
 template <class Refine>
 void refine_levels(const Growth& growth, bool full, const base::Progress& progress, const Refine& refine) {
     HRBFNPR_ASSERT(growth.children > 0 && growth.settings.levels >= 0);
@@ -115,11 +116,11 @@ void refine_levels(const Growth& growth, bool full, const base::Progress& progre
 
 // ---- Stipples
 
-// The value is printed in the article.
+// The article gives this value.
 constexpr double jitter = 0.125;
 
-// Returns the offset at which a child of a mark with this normal starts: (i r + j u) rho in the tangent plane, i and j
-// = +-1 + U(-1/8, 1/8), drawn for each child; in units of rho. [NPAR 5.2]
+// Returns the offset at which a child starts, for a mark with this normal, in units of rho: i r + j u in the tangent
+// plane. i and j are +-1 + U(-1/8, 1/8), drawn at random for each child. [NPAR 5.2]
 [[nodiscard]] glm::dvec3 stipple_offset(const glm::dvec3& normal, std::int64_t child, std::uint64_t seed,
                                         std::uint64_t key) noexcept {
     const auto u = base::uniform4(seed, key, base::Purpose::stipple_jitter);
@@ -143,28 +144,29 @@ void append_stipple(const glm::dvec3& position, const glm::dvec3& normal, std::u
 
 constexpr std::int32_t direction_count = 2;
 
-// Returns the normal curvature in the tangent direction d, by Euler's formula.
+// Returns the normal curvature in the tangent direction d by Euler's formula.
 [[nodiscard]] double normal_curvature_along(const glm::dvec3& d, const surface::Curvature& c) noexcept {
     const double first = glm::dot(d, c.d1);
     const double second = glm::dot(d, c.d2);
     return c.k1 * first * first + c.k2 * second * second;
 }
 
-// Returns the offset from a mark along its direction d, by a signed distance s on the osculating circle of curvature k
-// [NPAR 5.1, Figure 4]: sin(s k)/k d + (1 - cos(s k))/k n. The circle's centre is at n / k: k is negative where the
-// surface bends away from the normal. The offset ends at a quarter of the circle: farther on the circle comes back, and
-// the curvature describes the surface only near the mark.
+// Returns the offset from a mark along its direction d by a signed distance s, on the osculating circle of curvature k
+// [NPAR 5.1, Figure 4]: sin(s k)/k d + (1 - cos(s k))/k n. The circle's centre is at n / k. k is negative where the
+// surface bends away from the normal. The offset is limited to a quarter of the circle: farther on, the circle returns,
+// and the curvature describes the surface only near the mark.
 [[nodiscard]] glm::dvec3 on_osculating_circle(double s, double k, const glm::dvec3& d, const glm::dvec3& n) noexcept {
     constexpr double quarter = 1.5707963267948966;
     const double angle = std::clamp(s * k, -quarter, quarter);
     if (std::abs(s * k) > quarter) s = std::copysign(quarter / std::abs(k), s);
-    if (std::abs(angle) < 1e-4) // the series avoids a division by k, which may be 0
+    if (std::abs(angle) < 1e-4) // a series avoids dividing by k, which may be 0
         return s * ((1.0 - angle * angle / 6.0) * d + 0.5 * angle * (1.0 - angle * angle / 12.0) * n);
     return s / angle * (std::sin(angle) * d + (1.0 - std::cos(angle)) * n);
 }
 
-// Returns the curvatures at places. If the caller gives directions, these replace the principal ones, with confidence
-// 1, or 0 where the function gives none. Combing strokes get default values, which they do not use.
+// Returns the curvatures at places. Directions of the caller's function replace the principal directions. Their
+// confidence is 1, or 0 where the function gives none. Combing strokes do not use curvatures, so they get default
+// values.
 [[nodiscard]] base::Array<surface::Curvature> measure_curvatures(const Growth& growth,
                                                                  const geometry::VecArray& position,
                                                                  const geometry::VecArray& normal,
@@ -189,16 +191,17 @@ constexpr std::int32_t direction_count = 2;
     return curvature;
 }
 
-// Returns the direction of a stroke's mark. `before` is the direction of the mark from which this one was placed, zero
-// for a seed. Direction fields have no sign, so a stroke keeps its own. Otherwise it would fold back on itself.
+// Returns the direction of a stroke at a mark. `before` is the direction at the previous mark, or 0 for a seed.
+// Direction fields have no sign, so the sign is chosen to continue the stroke. Otherwise the stroke would fold back on
+// itself.
 [[nodiscard]] glm::dvec3 stroke_direction(bool combing, std::uint32_t set, const glm::dvec3& n,
                                           const surface::Curvature& c, const glm::dvec3& before) noexcept {
     glm::dvec3 field = set == 0 ? c.d1 : c.d2;
-    // The field is zero where the caller's has no direction, or where the gradient vanishes in the curvature's
-    // evaluation but not in the projection's.
+    // The field is 0 where the caller's function gives no direction. It is also 0 where the gradient is 0 when
+    // curvatures are evaluated, although it was not 0 in the projection.
     if (combing || !(glm::dot(field, field) > 0.5))
         field = set == 0 ? geometry::combing_frame(n).r : geometry::combing_frame(n).u;
-    const glm::dvec3 flat = before - glm::dot(before, n) * n; // in the plane perpendicular to n
+    const glm::dvec3 flat = before - glm::dot(before, n) * n; // `before` projected onto the plane perpendicular to n
     const double length = glm::length(flat);
     if (!(length > 1e-6)) return field;
     const glm::dvec3 onward = flat / length;
@@ -206,10 +209,10 @@ constexpr std::int32_t direction_count = 2;
     if (combing) return field;
     const double weight =
         glm::smoothstep(published_tuning.no_confidence, published_tuning.full_confidence, c.confidence);
-    return glm::normalize(weight * field + (1.0 - weight) * onward); // the two are no more than 90 degrees apart
+    return glm::normalize(weight * field + (1.0 - weight) * onward); // the two directions differ by at most 90 degrees
 }
 
-// Returns the key of a mark, from its stroke and its place along the stroke.
+// Returns a key for random numbers from a mark's stroke and the mark's position along it.
 [[nodiscard]] std::uint64_t stroke_key(std::uint32_t stroke, std::int32_t place) noexcept {
     return static_cast<std::uint64_t>(stroke) << 32U | static_cast<std::uint32_t>(place);
 }
@@ -249,9 +252,10 @@ void grow_stipples(const marks::Site& site, const Start& start, const GrowthSett
                            static_cast<std::uint32_t>(i), 0, marks);
         },
         site.work);
-    auto full_count = static_cast<std::uint64_t>(seeds); // the number of marks before a level if none were dropped
+    // The number of marks before a level if no mark had been dropped.
+    auto full_count = static_cast<std::uint64_t>(seeds);
     refine_levels(growth, full, site.work, [&](std::int32_t level, double rho, const base::Progress& part) {
-        // In a full tree of n marks, mark `key` has the children n + 4 key + {0, 1, 2, 3}.
+        // In a full tree of n marks, the mark with key k has children with the keys n + 4 k + {0, 1, 2, 3}.
         const auto key_of = [&](std::int64_t i) {
             return full_count + 4 * marks.key[i / 4] + static_cast<std::uint64_t>(i % 4);
         };
@@ -265,7 +269,7 @@ void grow_stipples(const marks::Site& site, const Start& start, const GrowthSett
                     append_stipple(growth.projector.position(i), growth.projector.normal(i), key_of(growth.child[i]),
                                    marks.stroke[growth.child[i] / 4], level, marks);
         };
-        // No start is farther from its parent than this. A child that lands farther from its start than that belongs to
+        // The largest distance of a start from its parent. If a child lands farther from its start than this, it is on
         // another part of the surface.
         const double stray_limit = std::sqrt(2.0) * (1.0 + jitter) * rho;
         const bool cut = refine_level(growth, level, stray_limit, key_of, start_of, append, part);
@@ -285,7 +289,7 @@ void grow_strokes(const marks::Site& site, const Start& start, const GrowthSetti
     const auto work = static_cast<double>(marks::grown_count(1, 3, settings.levels));
     const base::Work first = site.work.part(0.0, 1.0 / work);
     const base::Array<surface::Curvature> at_seeds = measure_curvatures(growth, start.position, start.normal, first);
-    // A seed is the middle of its stroke. Stroke i belongs to set i % 2.
+    // A seed is the middle of its stroke. Stroke i belongs to direction set i % 2.
     const bool full = place_seeds(
         growth, seeds, [](std::int64_t i) { return stroke_key(static_cast<std::uint32_t>(i), 0); },
         [&](std::int64_t i) {
@@ -296,8 +300,8 @@ void grow_strokes(const marks::Site& site, const Start& start, const GrowthSetti
     geometry::VecArray landed(site.memory());
     geometry::VecArray landed_normal(site.memory());
     refine_levels(growth, full, site.work, [&](std::int32_t level, double rho, const base::Progress& part) {
-        // Places along strokes are numbered in steps of the finest level that was asked for. The children lie backward
-        // and forward.
+        // Positions along strokes are numbered in steps of the finest requested level. A mark has a backward and a
+        // forward child.
         const auto finest = static_cast<std::int32_t>(marks::grown_count(1, 3, settings.levels - level));
         const auto place_of = [&](std::int64_t i) { return marks.place[i / 2] + (i % 2 == 0 ? -finest : finest); };
         const auto key_of = [&](std::int64_t i) { return stroke_key(marks.stroke[i / 2], place_of(i)); };
@@ -326,10 +330,10 @@ void grow_strokes(const marks::Site& site, const Start& start, const GrowthSetti
                                    level, curvature[k], marks.direction[parent]);
             }
         };
-        // A child that lands farther from its start than a step belongs to another part of the surface.
+        // If a child lands farther from its start than a step, it is on another part of the surface.
         return refine_level(growth, level, rho, key_of, start_of, append, part);
     });
-    // Places were numbered for all levels. Renumber them for the levels that were grown.
+    // Positions were numbered for all requested levels. They are renumbered for the levels that were grown.
     const auto unused = static_cast<std::int32_t>(marks::grown_count(1, 3, settings.levels - report.levels));
     const auto middle = static_cast<std::int32_t>((marks::grown_count(1, 3, report.levels) - 1) / 2);
     for (std::int32_t& place : marks.place) place = place / unused + middle;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::int64_t marks_a_task = 4096;
 
-// Calls visit(run, place, task) for all marks of the scene's runs, on all threads.
+// Calls visit(run, place, task) for all marks of all runs of the scene, on all threads.
 template <class Visit>
 void for_marks(const base::Parallel& parallel, const Scene& scene, const Visit& visit) {
     parallel.for_chunks(scene.mark_count(), marks_a_task, [&](std::int64_t begin, std::int64_t end) {
@@ -31,23 +31,23 @@ void for_marks(const base::Parallel& parallel, const Scene& scene, const Visit& 
 
 // ---- 1. Classes
 
-// Returns the radius of the largest disc that the mark can paint, which decides whether it can reach the viewport.
+// Returns the radius of the largest disc that the mark can paint. It decides whether the mark can reach the viewport.
 [[nodiscard]] float reach(const Run& run, float pixels_per_unit) noexcept {
     float radius = 0.0F;
     if (run.draws_front) radius = run.discs.front_ink(pixels_per_unit);
     if (run.draws_silhouettes) radius = std::max(radius, run.discs.silhouette_ink(pixels_per_unit));
     if (run.paints_paper || run.occludes)
         radius = std::max({radius, run.discs.front_splat(pixels_per_unit), run.discs.back_splat(pixels_per_unit)});
-    return radius + 0.5F; // half a pixel for the soft rim
+    return radius + 0.5F; // half a pixel more for the soft rim
 }
 
-// Tells whether a mark is inside the viewport. Each comparison is false for NaN, so a mark with NaN is outside.
+// Returns whether a mark is inside the viewport. Comparisons with NaN are false, so a mark with NaN is outside.
 [[nodiscard]] bool inside(const glm::vec4& viewport, float x, float y, float window_depth, float radius) noexcept {
     return x > viewport.x - radius && x < viewport.x + viewport.z + radius && y > viewport.y - radius &&
            y < viewport.y + viewport.w + radius && window_depth >= 0.0F && window_depth <= 1.0F;
 }
 
-// Classifies a mark by its number in the layer. Sets tau unless the style's tone is a callback.
+// Classifies a mark, which is given by its index in the layer. Computes tau, unless the style's tone is a callback.
 [[nodiscard]] Mark classify(const Run& run, const ItemView& item, const Lens& lens, std::int64_t number) noexcept {
     const Style& style = item.style;
     Mark mark{};
@@ -66,7 +66,7 @@ void for_marks(const base::Parallel& parallel, const Scene& scene, const Visit& 
     if (!inside(lens.viewport, at.x, at.y, at.z, reach(run, mark.pixels_per_unit)) || !(std::abs(mark.nu) <= 1.001F))
         return mark;
     mark.tau = style.tone == Tone::light ? LightTone(style)(lit(item.light, own_normal)) : 0.0F;
-    // The distance is from the eye, or from the eye's plane if the projection is parallel.
+    // The distance is measured from the eye or, in a parallel projection, from the eye's plane.
     mark.tau_depth = DepthTone(style, lens.eye_per_world)(lens.centre.w == 0.0F ? mark.depth : glm::length(sight));
     const auto threshold = static_cast<float>(style.silhouette_threshold);
     mark.mark_class = mark.nu < -threshold  ? MarkClass::front
@@ -75,12 +75,12 @@ void for_marks(const base::Parallel& parallel, const Scene& scene, const Visit& 
     return mark;
 }
 
-// Tells whether a front mark may be ink, apart from tone, depth, zoom and visibility.
+// Returns whether a front mark may be ink. Tone, depth, zoom and visibility are not considered here.
 [[nodiscard]] bool may_be_ink(const Run& run, std::int64_t mark) noexcept {
     return run.draws_front && (run.directions == 3U || run.draws_direction(run.marks->stroke[2 * mark] & 1U));
 }
 
-// Asks the styles' tone callbacks for tau of the front marks that need it, on the calling thread.
+// Calls the tone callbacks of the styles for the tau of the front marks that need it, on the calling thread.
 void ask_tones(const Scene& scene, ToneCalls& calls, base::Array<Mark>& marks) {
     for (const Run& run : scene.runs) {
         const ItemView& item = scene.item_of(run);
@@ -112,16 +112,16 @@ void ask_tones(const Scene& scene, ToneCalls& calls, base::Array<Mark>& marks) {
                                                             : front_push(radius, mark.nu, mark.pixels_per_unit));
 }
 
-// Returns the depth of ink. Ink is pulled toward the eye by its own radius, so that it lies over the paper of the same
-// layer.
+// Returns the depth at which ink is drawn. It is nearer to the eye by the ink's radius, so that ink lies above the
+// paper of its own layer.
 [[nodiscard]] float ink_depth(const Mark& mark, float radius) noexcept {
     return mark.depth - radius / mark.pixels_per_unit;
 }
 
 // ---- 3. Roles
 
-// Tells whether a mark is ink. If a front or silhouette mark is not, `counts` gets the reason. `visibility` is null if
-// nothing hides marks.
+// Returns whether a mark is ink. If a front or silhouette mark is not, the reason is counted in `counts`. `visibility`
+// is null if nothing hides marks.
 [[nodiscard]] bool is_ink(const Run& run, const Mark& mark, std::int64_t number, const VisibilityMap* visibility,
                           Counts& counts) noexcept {
     const ToneRule rule = run.discs.style->tone_rule;
@@ -172,7 +172,7 @@ void decide(const Run& run, std::int64_t number, const VisibilityMap* visibility
 
 // ---- 4. Dots
 
-// Makes the dot of a mark. `run_number` is the run's number in the scene.
+// Returns the dot of a mark. `run_number` is the index of the run in the scene.
 [[nodiscard]] Dot dot_of(const Run& run, std::int64_t run_number, const Mark& mark, std::int64_t number,
                          bool is_paper) noexcept {
     Dot dot{};
@@ -243,7 +243,7 @@ void VisibilityMap::fill_tile(std::int64_t tile) noexcept {
             const float half_squared = disc.radius * disc.radius - dy * dy;
             if (!(half_squared >= 0.0F)) continue;
             const float half = std::sqrt(half_squared);
-            // The range covers the texels whose centres lie within the disc.
+            // The range contains the texels whose centres are within the disc.
             const float first = std::max(std::ceil(disc.x - half - 0.5F), static_cast<float>(left));
             const float last = std::min(std::floor(disc.x + half - 0.5F), static_cast<float>(right - 1));
             if (!(first <= last)) continue;
@@ -307,8 +307,8 @@ void PublishedFrame::run(const Scene& scene, drawing::Drawing& drawing) {
     all.nanoseconds_sort = watch.nanoseconds();
 }
 
-// Makes a key for each disc, in the order of the marks. The key holds the disc's depth, and twice the mark's place,
-// plus 1 for paper. The counts of a task tell where its keys begin.
+// Makes a sort key for each disc, in the order of the marks. A key consists of the disc's depth, and of twice the index
+// of the mark, plus 1 for paper. The counts of a task tell where its keys begin.
 void PublishedFrame::find_keys(const Scene& scene) {
     next_key_.clear();
     std::int64_t total = 0;
