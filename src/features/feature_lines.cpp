@@ -218,7 +218,7 @@ FeatureValue apparent_ridge(const ShapePoint& shape, const ViewAtPoint& view, do
     value.facing = view.facing;
     const double facing = std::copysign(std::max(std::abs(view.facing), 1e-6), view.facing);
     const double inverse = 1.0 / facing;
-    const glm::dvec2 m = inverse * view.w; // M = I + m m^T
+    const glm::dvec2 m = inverse * view.w; // the vector m with M = I + m m^T
     const glm::dvec2 bm = shape.bend(m);
     const surface::Eigen2 eigen =
         surface::symmetric_eigen2(shape.k1 * shape.k1 + bm.x * bm.x, bm.x * bm.y, shape.k2 * shape.k2 + bm.y * bm.y);

@@ -80,7 +80,7 @@ struct CandidateOptions {
 struct Candidates {
     explicit Candidates(base::Memory& memory) noexcept : chosen(memory) {}
 
-    base::Array<std::int64_t> chosen; // worst first
+    base::Array<std::int64_t> chosen; // indices of the chosen candidates, the worst first
     std::int64_t outside = 0;         // the number of samples beyond the tolerance
 };
 

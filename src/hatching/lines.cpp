@@ -29,7 +29,7 @@ constexpr std::int64_t triangles_a_task = 4096;
 struct Crossing {
     double share;      // the position on the edge, from 0 at a to 1 at b
     std::int32_t a, b; // numbers of vertices
-    bool rises;        // true if the phase grows from a to b, in the sense of a's line
+    bool rises;        // true if the phase grows from a to b, by the direction of the line at a
     std::uint8_t level;
 };
 
@@ -85,7 +85,8 @@ std::uint8_t level_of(const Waves& waves, int halvings, const Crossing& c, std::
 struct Crossings {
     explicit Crossings(base::Memory& memory) noexcept : first(memory), crossing(memory), link(memory) {}
 
-    // For each edge: the index of its first crossing; and the end. An edge that another triangle owns has no crossings.
+    // For each edge, the index of its first crossing; the last element is the number of crossings. If two triangles
+    // share an edge, crossings are stored only for the triangle that owns the edge.
     base::Array<std::int64_t> first;
     base::Array<Crossing> crossing; // the crossings, in order along each edge
     // Two links per crossing: to the next crossing in the owner's triangle, and to the next crossing in the other

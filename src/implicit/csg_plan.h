@@ -32,7 +32,7 @@ struct CsgOp {
     bool merged = false; // true if the number of sheets exceeds 32 bits; then all sheets count as one
     Blend blend;
     double thickness = 0.0;
-    double add = 0.0; // added to the result
+    double add = 0.0; // a number that is added to the result
     double lipschitz = 1.0;
 
     [[nodiscard]] bool is_leaf() const noexcept { return kind <= Kind::model; }

@@ -21,7 +21,7 @@ struct TrimFile {
         : report(memory), position(memory), normal(memory), kept_cells(memory), end_cells(memory) {}
     double limit = 0.0, closest = 0.0;
     geometry::CellGrid grid;
-    base::Array<double> report; // this folder does not interpret it
+    base::Array<double> report; // the numbers of a report, whose meaning this folder does not know
     base::Array<double> position, normal;
     base::Array<std::int64_t> kept_cells, end_cells; // packed cell numbers
 };
@@ -31,7 +31,7 @@ struct FitFile {
     explicit FitFile(base::Memory& memory) noexcept : data(memory), report(memory) {}
     implicit::HrbfData data;
     std::optional<implicit::SheetTreeData> pieces = std::nullopt;
-    base::Array<double> report; // in the order of fit::FitReport; this folder does not interpret it
+    base::Array<double> report; // the numbers of a fit::FitReport in order, whose meaning this folder does not know
 };
 
 // A growing list of FitFiles in the context's memory.

@@ -46,7 +46,7 @@ public:
     [[nodiscard]] std::int32_t count() const noexcept { return count_; }
 
 private:
-    base::Array<std::int32_t> number_; // for each name: its number plus 1, or 0 if the name has not come yet
+    base::Array<std::int32_t> number_; // for each name, its number plus 1; 0 if the name was not used yet
     std::int32_t count_ = 0;
 };
 

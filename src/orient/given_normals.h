@@ -37,7 +37,7 @@ struct Judgement {
 
     NormalMode found = NormalMode::none;
     Signs signs;                // for each place: -1 if its given normals must be turned
-    double made_sign = 1.0;     // the sign that `least` gets where no normal is given
+    double made_sign = 1.0;     // the sign that turns the normals of least energy where no normal is given
     bool follows_given = false; // The given normals decide which side is outward.
     bool by_place = false;      // All given normals of a place are turned to agree with the first of them.
 };

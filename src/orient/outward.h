@@ -39,7 +39,8 @@ struct OutwardResult {
     OutwardBy decided_by = OutwardBy::inside;
 };
 
-// Turns all normals outward by winding numbers. Where these do not tell the outside, the rule decides.
+// Turns all normals outward by winding numbers. Where winding numbers do not show which side is outside, `rule`
+// decides.
 [[nodiscard]] OutwardResult turn_outward(const base::Work& work, const Cloud& cloud, const NeighbourLists& near,
                                          const OutwardRule& rule, geometry::VecArray& normal);
 

@@ -99,7 +99,7 @@ template <std::size_t count>
 // A section of the file: the fields of a struct, and keys that are not plain fields.
 struct SettingsSection {
     Record record;
-    std::array<std::string_view, 2> more; // further keys; "" if there are fewer
+    std::array<std::string_view, 2> more; // the names of these keys; "" if there are fewer
 };
 constexpr SettingsSection style_section{Record::style, {"layers", "lines"}};
 constexpr SettingsSection layer_style_section{Record::layer_style, {}};

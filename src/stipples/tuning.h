@@ -21,7 +21,7 @@ struct StippleTuning {
     // The smallest side of a cell is the diagonal divided by this. Larger: smaller surfaces can be drawn in large
     // boxes, with more memory.
     double most_in_diagonal = 4096.0;
-    // The cells are found again, at most `cover_rounds` times, until the side that the marks need is above
+    // The cells are found again, at most `cover_rounds` times, as long as the marks need cells whose side is below
     // `fine_side_share` times the present side. Larger: the areas of small surfaces in large boxes are more accurate,
     // in more time.
     int cover_rounds = 8;

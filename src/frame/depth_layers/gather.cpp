@@ -152,7 +152,7 @@ void ask_tones(const Scene& scene, const ProjectionLoops& loops, Gathering& all)
     const auto asks = [&](const Run& run) { return scene.item_of(run).style.tone == Tone::callback; };
     if (!std::any_of(scene.runs.begin(), scene.runs.end(), asks)) return;
     base::resize_scratch(all.tau, scene.place_count());
-    // Some tones were not asked for. The loops read them, but do not use them.
+    // Tones that no callback computes are set to 0, because the loops read them, although they do not use them.
     std::fill(all.tau.begin(), all.tau.end(), 0.0F);
     for (const Run& run : scene.runs) {
         if (!asks(run) || !run.draws_front) continue;

@@ -141,7 +141,7 @@ bool may_draw_piece(const RunSight& v, const marks::StrokePiece& piece) noexcept
     const ClusterView view = view_cluster(piece, v.sight, v.view.scene.lens, v.view.frustum);
     if (view.beyond > v.beyond + rounding_of_margins || view.nu_min > hatch_tuning.last_nu + rounding_of_margins)
         return false;
-    // An upper bound for the darkness of the marks.
+    // Computes an upper bound for the darkness of the marks, from a lower bound for their tone.
     const bool is_lit = v.taus == nullptr && v.item.style.tone == Tone::light;
     const float tau = is_lit ? LightTone(v.item.style).least(least_lit(piece, v.sight)) : 0.0F;
     const float darkness = 1.0F - tau + rounding_of_margins;

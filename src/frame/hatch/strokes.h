@@ -41,8 +41,8 @@ public:
     void clear() noexcept { edges_.clear(); }
     [[nodiscard]] bool empty() const noexcept { return edges_.empty(); }
 
-    // Returns whether an edge before the dot is within `reach` of it, or has a halo that contains the dot. If the dot's
-    // own surface is slanted, its edges count, too.
+    // Returns whether an edge in front of the dot is within `reach` of it, or has a halo that contains the dot. If the
+    // surface at the dot is slanted, the edges of this surface count, too.
     [[nodiscard]] bool is_near(const drawing::Dot& dot, float reach, float halo) const noexcept;
 
     static constexpr float nowhere = std::numeric_limits<float>::infinity();

@@ -266,8 +266,8 @@ bool join_scraps(const CreaseTask& task, const Creases& creases, BentEdges& bend
         ++faces[creases.patch[face]];
         area[creases.patch[face]] += 0.5 * glm::length(doubled_area(task.mesh.corners(face)));
     }
-    base::Array<std::int64_t> flattest(memory,
-                                       creases.patches); // for each patch: the number of a bend plus 1, or 0 for none
+    // For each patch, 1 + the index of its flattest bend; 0 if it has no bend.
+    base::Array<std::int64_t> flattest(memory, creases.patches);
     for (std::int64_t i = 0; i < bends.edge.size(); ++i) {
         const BentEdge& bend = bends.edge[i];
         if (!bend.sharp || is_fading(creases, bend)) continue;

@@ -55,7 +55,8 @@ void log_pieces(const base::Runtime& runtime, const SheetTreeReport& report) {
             report.smooth_length, static_cast<long long>(report.poor_cells));
 }
 
-// Sets the places at whose end the surface ends. `samples` are the samples of a smooth fit.
+// Decides where the surface ends: it ends where the places that are stored in `made` end. `samples` are the samples of
+// a smooth fit.
 void find_end(const base::Work& work, const Mesh& mesh, const FaceTree& tree, std::uint64_t seed, bool may_end,
               std::optional<fit::Samples>&& samples, PlannedFit& made) {
     made.end = plan_end(end_facts(mesh, made.report, made.pieces.has_value()), may_end);
