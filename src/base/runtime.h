@@ -24,7 +24,7 @@ public:
         : own_memory_(allocate, deallocate, allocator_user), parallel(std::move(threads)),
           instruction_set(choose_instruction_set(highest)), log_(log_function), log_user_(log_user),
           least_level_(least) {}
-    // Uses the memory and log of `host`, which must outlive this object, but other threads.
+    // Uses the memory and log of `host`, which must outlive this object, and the given threads.
     Runtime(const Runtime& host, Parallel threads) noexcept
         : memory(host.memory), parallel(std::move(threads)), instruction_set(host.instruction_set), log_(host.log_),
           log_user_(host.log_user_), least_level_(host.least_level_) {}

@@ -205,7 +205,7 @@ void StepRunner::model(const CsgStep& step, const CsgOp& op, const PointBatch& p
 
 void StepRunner::take_extremum(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept {
     Register& first = registers_[step.to];
-    if (step.sheet < 0) { // otherwise only one operand was evaluated
+    if (step.sheet < 0) { // if a single sheet is wanted, only one operand was evaluated
         const Register& second = registers_[step.to + 1];
         const double sign = op.takes_least() ? 1.0 : -1.0;
         const std::int32_t sheets_of_a = plan_.ops[op.a].sheets;

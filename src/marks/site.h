@@ -22,7 +22,7 @@ struct Site {
     double unit = 1.0; // the unit of all lengths in this struct, in the caller's units
 
     [[nodiscard]] base::Memory& memory() const noexcept { return work.memory; }
-    // Return the same site, with a part of the work's progress or with other work.
+    // Return the same site with a part of the work's progress, with no progress, or with the given progress.
     [[nodiscard]] Site part(double from, double to) const noexcept { return with(work.progress().part(from, to)); }
     [[nodiscard]] Site without_progress() const noexcept { return with(work.progress().without_progress()); }
     [[nodiscard]] Site with(const base::Progress& progress) const noexcept {

@@ -182,7 +182,7 @@ constexpr std::uint64_t no_edge = ~std::uint64_t{0};
 struct Sliver {
     std::uint64_t edge; // the longest side of the sliver
     std::int32_t face;
-    bool forward;             // True if the sliver runs through that side from the lower to the higher vertex.
+    bool forward;             // True if the sliver runs through `edge` from the lower to the higher vertex.
     std::int32_t across = -1; // a face on the other side of the longest side, or -1
     // True if `across` runs through the side in the other direction, as a neighbour with the same orientation does.
     bool agrees = false;

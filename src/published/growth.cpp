@@ -116,7 +116,7 @@ void refine_levels(const Growth& growth, bool full, const base::Progress& progre
 
 // ---- Stipples
 
-// The article gives this value.
+// The largest random change of a child's offset, as a share of rho. The article gives this value.
 constexpr double jitter = 0.125;
 
 // Returns the offset at which a child starts, for a mark with this normal, in units of rho: i r + j u in the tangent

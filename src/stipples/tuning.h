@@ -65,7 +65,7 @@ struct StippleTuning {
     // The largest number of candidates from one evaluated point: its projection, and others around the projection.
     // Larger: fewer evaluations, less random.
     std::int64_t most_projections = 5;
-    // The other candidates are at most this far from the projection along two axes, in sides. Larger: they are farther
+    // Candidates around a projection are at most this far from it along two axes, in sides. Larger: they are farther
     // off the surface.
     double projection_stride = 0.55;
     // A projection is on the surface if its distance is below this, in sides. At most `most_steps` steps are made.

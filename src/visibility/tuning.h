@@ -65,8 +65,8 @@ struct VisibilityTuning {
     int verifying_rounds = 8;
     double settled_step = 0.01;
     // The search fails if it moves a place farther than `farthest_crossing`, or if the gap becomes smaller than
-    // `smallest_gap`, both relative to the first gap. Larger and smaller: crossings are kept that the curves do not
-    // have.
+    // `smallest_gap`, both relative to the first gap. A larger distance and a smaller gap keep crossings that the
+    // curves do not have.
     double farthest_crossing = 0.5;
     double smallest_gap = 0.1;
 

@@ -36,8 +36,8 @@ struct SplatList {
 
 struct LayerLoops {
     void (*draw_nearest)(const LayerPlanes& planes, const SplatList& list); // Finds the nearest layers.
-    // Finds the next layers. lay() must be called first.
-    void (*draw_next)(const LayerPlanes& planes, const SplatList& list); // the next ones, once the nearest are drawn
+    // Finds the next layers, after draw_nearest() was called for all splats.
+    void (*draw_next)(const LayerPlanes& planes, const SplatList& list);
     void (*draw_halos)(const LayerPlanes& planes, const SplatList& list);
 };
 

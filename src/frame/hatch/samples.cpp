@@ -78,8 +78,8 @@ struct RunSight {
     std::array<float, steps + 1> most_coverage{}; // for each k: the largest coverage for darknesses up to k / steps
 };
 
-// Returns whether there may be space for lines of a level. No mark is darker than `darkness` or nearer than `nearest`,
-// which is a w of the picture's projection.
+// Returns whether there may be space for lines of a level. No mark is darker than `darkness`, and none has a smaller
+// clip coordinate w than `nearest`.
 bool has_room(const RunSight& v, std::int32_t level, float nearest, float darkness) noexcept {
     if (level <= 1 || !(nearest > 0.0F)) return true;
     const auto step =
