@@ -158,7 +158,7 @@ public:
 
 private:
     static constexpr std::int64_t least_grain = 8192; // the smallest number of discs in a part
-    // Memory is bounded, because each part has a counter for each tile.
+    // The largest number of parts. It is small, because each part has a counter for each tile.
     static constexpr std::int64_t most_parts = 16;
     static constexpr std::int64_t most_tiles_of_one = 64;
 

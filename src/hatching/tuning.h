@@ -87,7 +87,7 @@ struct HatchingTuning {
     // larger.
     double touching_gap = 0.2;
     double touching_cosine = 0.8;
-    // The direction of an end is measured over this length of the line.
+    // The direction of an end is measured over this length of the line, as a share of `widest_gap`.
     double end_length = 0.5;
 
     // ---- Even lines; lengths are in separations

@@ -179,7 +179,7 @@ double mirrored_distance(const Points& points, const geometry::Bounds& box, UpAx
     return least;
 }
 
-// Returns the axis, y or z, along which both sides are alike, if the sides along the other axis differ; else 0. Most
+// Returns the axis, y or z, whose two sides are similar, if the two sides along the other axis differ; else 0. Most
 // objects have similar left and right sides, but few look the same above and below [Fu et al. 2008].
 UpAxis sideways_axis(const Points& points, const geometry::Bounds& box, Pool& pool) {
     if (points.size() < 8) return 0;

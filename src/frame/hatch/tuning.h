@@ -55,7 +55,8 @@ struct HatchTuning {
     // When short parts are left out, the length of a line is multiplied by this if its level has hardly any space
     // between other lines. Smaller: fewer short lines between long ones.
     float length_of_filling = 1.0F / 3.0F;
-    // In the length of a part, widths above this many pens count the same. Larger: thin parts must be longer.
+    // When short parts are left out, a thin part counts as shorter than it is. Parts at least this wide, in pens, count
+    // in full. Larger: thin parts must be longer.
     float full_width = 0.5F;
 
     // ---- Tapers

@@ -20,7 +20,7 @@ struct RasterTuning {
     double chord_tolerance = 0.0008;
     // The tolerances of arcs and chords are multiplied by this if arcs may overlap, because their errors add up.
     double overlap_factor = 0.2;
-    // A quarter circle is halved at most this many times, so it has at most 2^6 chords.
+    // A quarter circle is divided into chords by halving it at most this many times.
     int most_halvings = 6;
     // Consecutive segments whose opacities differ by no more than this share an outline. Larger: fewer outlines,
     // visible steps.
