@@ -18,7 +18,8 @@ struct CreaseTuning {
     // is below the second, in radians. Edges between such sheets are not halved to find hidden creases. Larger: shallow
     // creases are coarse.
     double alike = 0.02;
-    // Sheets coincide if they are below these two limits, in the same units. Larger: sheets that cross are merged.
+    // Sheets coincide if their distance and the angle between them are below these two limits, in the same units as
+    // above. Larger: sheets that cross are merged.
     double equal = 1e-7;
     // The place where two sheets meet is searched within this distance of an edge, in sides, or within twice the edge's
     // length if that is less. Larger: creases of other places are found.

@@ -123,9 +123,9 @@ class CurveFit {
 public:
     explicit CurveFit(base::Memory& memory) noexcept : points_(memory), parameters_(memory), cubics_(memory) {}
 
-    // Every point of the polyline is within the tolerance of the curves, and the curves' ends are points of it. The
-    // last point of a closed line equals its first, and its curves are smooth there unless the line has a corner. The
-    // result is valid until the next call. It is empty if all points coincide.
+    // Fits curves to a polyline. Every point of the polyline is within the tolerance of the curves, and the curves'
+    // ends are points of the polyline. The last point of a closed line equals its first, and the curves are smooth
+    // there unless the line has a corner. The result is valid until the next call. It is empty if all points coincide.
     std::span<const Cubic> fit(std::span<const glm::dvec2> points, double tolerance, bool closed);
 
 private:

@@ -68,7 +68,7 @@ struct CsgStep {
     std::int32_t op = 0;
     std::int32_t to = 0;     // index of the register for the result
     std::int32_t sheet = -1; // index of the only sheet to evaluate; -1: all sheets
-    // The op that combines this step's result with the operand in the register before; -1: no op does.
+    // The op that combines this step's result with the result in the previous register; -1: no op does.
     std::int32_t combined_by = -1;
 };
 
