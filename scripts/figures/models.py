@@ -108,7 +108,7 @@ class Models:
         self._data, self._bunny, self._scratch = data, bunny, scratch
         if data is not None and not any(self._given(name) for name in FILES):
             names = ", ".join(file for file, _ in FILES.values())
-            raise ValueError(f"{data}: none of the models is there, nor in its folders points/ and meshes/; the files are {names}")
+            raise ValueError(f"{data} has none of the models ({names}), nor have its folders points/ and meshes/")
 
     def _given(self, name):
         folders = (".", "points", "meshes") if self._data is not None else ()
@@ -128,7 +128,7 @@ class Models:
             return self._points_alone(name, "knot"), ["--samples", "2000"], "made from a formula"
         if name in MADE:
             return self._write(name), ["--samples", str(SAMPLES[name])], "made from a formula"
-        raise Missing(f"{FILES[name][0]} is not at hand: --data DIR names the folder that contains it")
+        raise Missing(f"{FILES[name][0]} is missing; give a folder that has it by --data DIR")
 
     def _points_alone(self, name, source):
         path = Path(self._scratch) / f"{name}.xyz"

@@ -63,7 +63,7 @@ func _init():
 		normals[i] = -normals[i]
 	var side = Vector3(0, 0, -1)
 	check("samples", drawing.draw(inward[Mesh.ARRAY_VERTEX], normals, "stipple", side, Vector3.UP, 100, 100))
-	check("a note that they were turned: " + str(drawing.notes()), "inward" in str(drawing.notes()))
+	check("a note that they were turned: " + str(drawing.notes()), "turned" in str(drawing.notes()))
 	check("points", drawing.draw(inward[Mesh.ARRAY_VERTEX], PoolVector3Array(), "stipple", side, Vector3.UP, 100, 100))
 	check("a note that normals were found: " + str(drawing.notes()), "normals" in str(drawing.notes()))
 	check("the eye", drawing.eye().z > 1 and abs(drawing.eye().x) < 0.1)

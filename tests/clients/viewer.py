@@ -297,7 +297,7 @@ ERRORS = (
     ("what.json", '{"hrbfnpr-settings": 1, "style": {"radiuss": 1}}', "style.radiuss: there is no such field"),
     ("word.json", '{"hrbfnpr-settings": 1, "style": {"tone": "loud"}}', "style.tone: one of none, light"),
     ("type.json", '{"hrbfnpr-settings": 1, "style": {"paper": 3}}', "style.paper: a list of 4 numbers"),
-    ("none.json", "{}", "these are no settings"),
+    ("none.json", "{}", "this is not a settings file"),
     ("up.json", '{"hrbfnpr-settings": 1, "camera": {"eye": [0, 0, 1], "target": [0, 0, 0], "up": [0, 0, 1], "near_plane": 1, '
      '"vertical_angle": 1, "far_plane": 2}}', "up (0, 0, 1) is parallel to the direction of view"),
     ("half.json", "{", "this is not JSON"),
