@@ -11,7 +11,7 @@
 
 namespace hrbfnpr::base {
 
-// What a random number is used for. Numbers of different purposes are independent.
+// The purpose of a random number. Numbers of different purposes are independent.
 enum class Purpose : std::uint32_t {
     box_jitter = 1,
     stipple_jitter = 2,

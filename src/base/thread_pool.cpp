@@ -13,7 +13,7 @@ namespace hrbfnpr::base {
 namespace {
 
 // How long a thread waits actively, in nanoseconds. It is long enough for the next step of a frame or solver to start
-// without a system call, and so short that other processes do not lack the processor.
+// without a system call, and short enough to leave the processor to other processes.
 constexpr std::int64_t patience_nanoseconds = 20'000;
 
 void relax() noexcept {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a stage of a call needs: the context's memory, threads, instruction set and log, its share of the call's
-// progress, and a check for cancellation.
+// The data that a stage of a call needs: the context's memory, threads, instruction set and log, its share of the
+// call's progress, and a check for cancellation.
 #pragma once
 
 #include "base/operation.h"

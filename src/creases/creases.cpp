@@ -84,7 +84,7 @@ struct SheetMesh {
         const std::int32_t c = sheet_at(3 * triangle + 2);
         return a == b && b == c ? 1 : a != b && b != c && a != c ? 3 : 2;
     }
-    // Returns the corner of creases in a triangle; null if there is none.
+    // Returns the corner of creases in a triangle; null if the triangle has no corner.
     [[nodiscard]] const CornerNode* corner_of(std::int64_t triangle) const noexcept {
         const CornerNode* const at =
             std::lower_bound(corners.begin(), corners.end(), triangle,

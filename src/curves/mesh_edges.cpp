@@ -20,7 +20,7 @@ struct CutEdge {
 };
 
 // Divides each triangle into one to four triangles. middle[e] is the vertex on edge e, the same for both sides of the
-// edge, or below 0 if there is none.
+// edge, or below 0 without such a vertex.
 void cut_at_middles(const base::Runtime& runtime, const base::Array<std::int32_t>& middle, SurfaceMesh& mesh) {
     HRBFNPR_ASSERT(middle.size() == mesh.corner.size());
     base::Array<std::int32_t> corner(runtime.memory);

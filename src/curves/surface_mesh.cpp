@@ -318,7 +318,7 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
             cells.triangles += triangles;
             for (const Face& face : faces)
                 if ((negative & face.corners) != 0 && (~negative & face.corners) != 0) go_to(sum(place, face.way));
-            // A seed may be so near the surface that the corners of its cell do not show a crossing. The flood then
+            // Near the surface, the corners of a seed's cell may not show a crossing. The flood then
             // starts in the adjacent cells.
             if (seeded && triangles == 0)
                 for (int step = 0; step < geometry::neighbour_count; ++step) go_to(geometry::neighbour(place, step));

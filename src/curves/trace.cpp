@@ -258,7 +258,7 @@ struct Paths {
     const TraceSettings& settings;
     base::Array<Path> path;
     base::Array<PathPoint> passed;
-    // The two paths of each run, and the run whose path leads to it. -1 if there is none.
+    // The two paths of each run, and the run whose path leads to it; -1: no path or run.
     base::Array<std::int64_t> forward, backward, before;
     base::Array<std::uint8_t> passed_by; // 1 if another path passes this run, which is then left out
     base::Array<std::int32_t> run_of;    // for each point of the runs: its run
@@ -627,7 +627,7 @@ base::Array<Bracket> find_small_loops(const base::Work& work, const Level& level
 
 // ---- Starts
 
-// The curves found so far, and the arguments of trace().
+// The curves that are already found, and the arguments of trace().
 struct TraceState {
     const base::Work& work;
     const Level& level;

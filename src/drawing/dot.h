@@ -97,7 +97,7 @@ struct Splat {
     float depth;            // in eye units along the view
     float slope_x, slope_y; // change of the surface's depth across the picture, in eye units per pixel
     float pixels_per_unit;  // pixels per eye unit at the depth of the splat
-    float transmittance;    // the share of the ink behind this splat's depth layer that remains visible
+    float transmittance;    // the share of the ink beyond this depth layer that remains visible
     float window;           // depth in the camera's convention
     // The halo is a disc of this radius in pixels around the nearest point of the contour. If it is 0, no contour is
     // near, and the other halo members are not used.

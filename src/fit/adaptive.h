@@ -5,7 +5,7 @@
 //
 //   even_choice       returns the first centres, spread evenly over the candidates
 //   fit_centres       makes a fit with all given centres (fit_centres.h)
-//   chooser           is the caller's: it measures how far the fit is off, and chooses what the next round adds
+//   chooser           is the caller's: it measures the errors of the fit, and chooses the centres of the next round
 //   worst_candidates  helps the chooser: finds the candidates with the largest errors that are apart from centres
 //                     and from each other
 #pragma once

@@ -69,7 +69,7 @@ private:
             return squared < other.squared || (squared == other.squared && at < other.at);
         }
     };
-    // The nearest points so far, in ascending order.
+    // The nearest points that are already found, in ascending order.
     class NearestList;
 
     // A point while the tree is built. Points are moved with their indices, so that points that are near in space

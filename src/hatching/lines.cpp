@@ -41,7 +41,7 @@ std::int32_t end_of(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept
 bool is_owned(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
     return mesh.neighbour[edge] < 0 || edge / 3 < mesh.neighbour[edge];
 }
-// Returns the same edge as an edge of the other triangle there, or -1 if there is none.
+// Returns the same edge as an edge of the other triangle there, or -1 at a border.
 std::int64_t across(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
     const std::int64_t other = 3 * std::int64_t{mesh.neighbour[edge]};
     for (std::int64_t k = other; k >= 0 && k < other + 3; ++k)
@@ -90,7 +90,7 @@ struct Crossings {
     base::Array<std::int64_t> first;
     base::Array<Crossing> crossing; // the crossings, in order along each edge
     // Two links per crossing: to the next crossing in the owner's triangle, and to the next crossing in the other
-    // triangle. -1: there is none.
+    // triangle. -1: no crossing.
     base::Array<std::int64_t> link;
 };
 

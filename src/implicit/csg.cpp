@@ -29,7 +29,7 @@ struct GroupSearch {
     PointBatch points;
     Register* to;
     double sign;            // -1 if the group takes the largest value
-    double best[csg_block]; // the least value of sign * f so far
+    double best[csg_block]; // the least value of sign * f until now
     double slack[csg_block];
     std::int32_t least_member[csg_block];     // the member with that value; -1: none yet
     std::int32_t nearest[csg_block];          // the member that was evaluated first

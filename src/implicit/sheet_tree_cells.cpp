@@ -359,9 +359,9 @@ SheetTreeZones::Candidates SheetTreeZones::candidates_at(const glm::dvec3& place
     const Zone& zone = zone_[code];
     const std::span<const Part> parts = range(part_, zone.begin, zone.end);
     if (parts.size() == 1) return {-1, parts};
-    // Branches would be mispredicted here, because it is unpredictable which parts reach the place. So there are none.
-    // `found` is the last part that reaches it. `mixed` is set if programs of these parts differ, or if one has no
-    // program.
+    // Branches would be mispredicted here, because it is unpredictable which parts reach the place. So the loop has no
+    // branches. `found` is the last part that reaches it. `mixed` is set if programs of these parts differ, or if one
+    // has no program.
     const Part* found = nullptr;
     unsigned mixed = 0;
     for (const Part& part : parts) {

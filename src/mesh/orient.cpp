@@ -206,7 +206,7 @@ void find_nested(const base::Work& work, const base::Array<glm::dvec3>& vertex, 
             put(component[face], static_cast<std::int32_t>(face));
     });
     work.for_each(measured.size(), [&](std::int64_t i) {
-        base::Array<std::int32_t> holders(work.memory); // the closed components around all places tested so far
+        base::Array<std::int32_t> holders(work.memory); // the closed components around all tested places
         const base::Array<std::int32_t> tested = faces_to_test(vertex, triangle, faces[i]);
         for (std::int64_t k = 0; k < places_of_face * tested.size(); ++k) {
             const Triangle& t = triangle[tested[k / places_of_face]];

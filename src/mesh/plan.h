@@ -75,7 +75,7 @@ struct Sharpness {
 
 // ---- Coarse faces
 
-// What the normals of a file say about the edges that bend.
+// The statement of a file's normals about the edges that bend.
 enum class EdgesInFile {
     // The file says nothing about edges. A file that says that all edges are smooth counts the same, because computed
     // normals say so, too.
@@ -146,7 +146,7 @@ struct FittedEdges {
 // Returns whether make_mesh() keeps a component.
 [[nodiscard]] bool is_kept(const Component& component, bool is_largest, Parts parts) noexcept;
 
-// Returns whether a part has so little area that it is dropped if it is far away. Such a part is a crumb.
+// Returns whether the area of a part is small enough to drop the part if it is far away. Such a part is a crumb.
 [[nodiscard]] bool is_crumb(double area, double whole) noexcept;
 // Returns whether a crumb is far enough away to be dropped. `distance` is its distance from all other parts, in
 // diagonals of the other parts.

@@ -34,7 +34,7 @@ public:
     // True if the caller names no style, so that the style and layers come from the settings.
     bool takes_style_of_settings = false;
     Changes changes;                      // The fields of the settings come first, then the caller's changes.
-    Vector<hrbfnpr_dab> dabs;             // The caller's dabs. If there are none, the dabs of the settings.
+    Vector<hrbfnpr_dab> dabs;             // The caller's dabs, or else the dabs of the settings.
     std::optional<Style> style;           // The caller's style, which is used unchanged, with lengths in pixels.
     std::optional<hrbfnpr_camera> camera; // The caller's camera, which is used unchanged.
     Points seed_points;                   // The caller's seed points; may be empty.
@@ -70,10 +70,10 @@ struct Call {
 // A surface with the source that it was made from.
 struct Surface {
     Model model;
-    Mesh mesh;                                // The mesh that the model was fitted to; null if there is none.
+    Mesh mesh;                                // The mesh that the model was fitted to; null without a mesh.
     std::optional<hrbfnpr_mesh_fit_info> fit; // Set if the source is a mesh and the fit chose its samples.
     std::shared_ptr<const Shape> shape;       // Null if the caller gave a model.
-    PointSet marks;                           // The marks that the caller gave with a model; null if there are none.
+    PointSet marks;                           // The marks that the caller gave with a model; null without them.
 };
 
 } // namespace hrbfnpr::picture

@@ -54,7 +54,7 @@ struct FinishedStage {
 
 class Stage;
 
-// What a note or a warning says beside its text, in the form that in_words() takes.
+// The advice and the detail of a note or a warning, in the form that in_words() takes.
 struct More {
     std::string_view advice = {}; // what to do; empty if the text says it
     std::string_view detail = {}; // one or two sentences for those who ask for more
@@ -98,7 +98,7 @@ private:
     friend class Serving;
     void tell(std::uint32_t severity, std::uint32_t code, std::initializer_list<double> figures, std::string_view text,
               const More& more = {});
-    // After planning, returns the stored stage of the same kind, or null if there is none. During planning it returns
+    // After planning, returns the stored stage of the same kind, or null without one. During planning it returns
     // null.
     [[nodiscard]] FinishedStage* kept_before(std::uint32_t stage) noexcept;
     const FinishedStage& keep(FinishedStage&& finished);

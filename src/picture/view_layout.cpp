@@ -282,8 +282,8 @@ struct TablePlace {
 constexpr std::array<TablePlace, 7> first_angle{{{1, 1}, {3, 1}, {2, 1}, {0, 1}, {1, 2}, {1, 0}, {2, 2}}};
 constexpr std::array<TablePlace, 7> third_angle{{{1, 1}, {3, 1}, {0, 1}, {2, 1}, {1, 0}, {1, 2}, {2, 0}}};
 
-// Returns the number of the first view that shows the plane as a line; the front and top views are tried first. If
-// there is none, returns the number of cells.
+// Returns the number of the first view that shows the plane as a line; the front and top views are tried first. Without
+// such a view, returns the number of cells.
 std::size_t cell_that_shows(const Vector<ViewCell>& cells, const CutPlane& plane) noexcept {
     constexpr std::array order{ViewName::front, ViewName::top,    ViewName::left,
                                ViewName::right, ViewName::bottom, ViewName::back};

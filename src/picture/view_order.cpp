@@ -184,7 +184,7 @@ struct NextPiece {
     bool turned; // true if the last point of the piece touches the line
 };
 
-// Finds the piece that continues the line at its end. Returns false if there is none.
+// Finds the piece that continues the line at its end. Returns false without such a piece.
 bool find_next(const PaperLine& line, const Vector<PaperLine>& rest, NextPiece& next) noexcept {
     if (line.front() == line.back()) return false;
     const glm::dvec2 way = direction_at_end(line, false);

@@ -604,7 +604,7 @@ bool place_until(Stage& stage, double area, std::int64_t last, std::int64_t want
             continue;
         }
         // After this, the lowest energy of each cell is that of its candidates that keep the radius of the last step;
-        // it is infinite if there are none.
+        // it is infinite without such candidates.
         stage.for_cells(
             [&](std::int64_t c) { stage.update_lowest(static_cast<std::int32_t>(c), stage.least_clearance); });
         const float lowest = *std::min_element(stage.lowest.begin(), stage.lowest.end());

@@ -149,8 +149,8 @@ void send_rays(const CountingInput& in, bool from_beyond, base::Array<Ray>& rays
     }
 }
 
-// Turns numbers relative to the start of a line into absolute numbers. Certain rays decide or, if there are none, all
-// rays. Returns false if rays contradict each other, or if a number would be negative.
+// Turns numbers relative to the start of a line into absolute numbers. Certain rays decide; without certain rays, all
+// rays decide. Returns false if rays contradict each other, or if a number would be negative.
 bool set_invisibility(std::span<Interval> parts, std::span<const Ray> rays, double whole) noexcept {
     const auto relative = [&](double at) {
         for (const Interval& part : parts)

@@ -176,7 +176,7 @@ struct RunView {
     std::uint32_t layer; // the number of the run's layer in the drawing
 };
 
-// The places of the next dot and the next splat, and the counts so far.
+// The places of the next dot and the next splat, and the current counts.
 struct GatherOutput {
     Dot* dot;
     Splat* splat;

@@ -126,7 +126,7 @@ struct DimmingInput {
 // The layers through which a dot is seen.
 struct DimResult {
     float transmittance = 1.0F;
-    // From this depth on, other layers may lie before the ink. `nothing`: there are none.
+    // From this depth on, other layers may lie before the ink. `nothing`: no layer may.
     float more_from = no_depth;
 };
 

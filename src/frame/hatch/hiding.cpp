@@ -253,8 +253,8 @@ struct Gap {
     std::int64_t seen, first, end, next;
 };
 
-// Returns whether the gap is a mistake of splats: they may belong to the line's own surface near a crease. If so, the
-// line does not pass behind an edge in the gap.
+// Returns whether the gap is a mistake of splats: they may belong to the line's own surface near a crease. If so, no
+// edge hides the line in the gap.
 [[nodiscard]] bool is_mistake(const SeenLine& line, const Gap& gap) noexcept {
     const bool is_short = line.length[gap.end - 1] - line.length[gap.first] <= line.reach_of_splats(gap.first);
     for (std::int64_t i = gap.first; i < gap.end; ++i)

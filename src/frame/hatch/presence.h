@@ -60,7 +60,7 @@ template <class Presence, class Weight, class EndShare>
     const float own = presence(i);
     if (!(own > 0.0F)) return {0.0F, i};
     HeldLength held;
-    float least = 1.0F; // the smallest presence so far, as a share of the presence at sample i
+    float least = 1.0F; // the smallest presence until now, as a share of the presence at sample i
     float before = weight(i);
     for (std::int64_t steps = 0; steps < line.size(); ++steps) {
         float step = 0.0F;

@@ -379,9 +379,9 @@ bool has_seam(const HatchStroke& seen) noexcept {
            seen.range.span().back().end == seen.first + seen.count;
 }
 
-// Marks in a gap count as near, too, if the gap is so short in the picture that the line continues across it. Where
-// marks were left out, the straight distance is used. In a closed stroke, the marks before the first near mark and
-// after the last one form one gap.
+// Marks in a gap count as near, too, if the gap is short enough in the picture for the line to continue across it.
+// Where marks were left out, the straight distance is used. In a closed stroke, the marks before the first near mark
+// and after the last one form one gap.
 void keep_short_gaps(const HatchRows& rows, const HatchStroke& seen) noexcept {
     const std::int64_t count = seen.number.size();
     float* const near = rows[HatchRow::greatest_nearby];

@@ -52,7 +52,7 @@ struct ProjectedMarks {
     float x[most], y[most];           // in pixels
     float window[most];               // depth in the camera's convention
     float depth[most];                // eye units along the viewing direction
-    float pixels_per_unit[most];      // pixels per eye unit; <= 0 or NaN if the mark is behind the plane of the camera
+    float pixels_per_unit[most];      // pixels per eye unit; <= 0 or NaN if the mark is not in front of the camera
     float nu[most];                   // n . v
     float lit[most];                  // n . l
     float side_x[most], side_y[most]; // x and y of the unit normal in eye space

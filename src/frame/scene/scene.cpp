@@ -573,7 +573,7 @@ ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, co
     const float w = dot_row(view_transform.clip[3]);
     const float w_most = w + radius * frustum.w_norm;
     if (w_most > 0.0F) view.pixels_per_unit = lens.pixels / (w > 0.0F ? w : w_most);
-    if (!(w - radius * frustum.w_norm > 0.0F)) return view; // Some marks may be behind the plane of the camera.
+    if (!(w - radius * frustum.w_norm > 0.0F)) return view; // Some marks may not be in front of the camera.
     view.nearest = w - radius * frustum.w_norm;
     const FrustumSides sides = sight.inside ? FrustumSides{} : frustum_sides_of(eye, radius, frustum);
     view.beyond = sides.beyond / w_most;

@@ -274,7 +274,7 @@ struct ClusterView {
     float beyond = -1.0F; // A lower bound in pixels for the distance of marks outside the picture. Below 0: not known.
     bool inside = false;  // true if all marks are certainly in the picture
     float pixels_per_unit = 1.0F; // at the centre of the ball
-    // A lower bound for w of the projection. 0: some marks may be behind the plane of the camera.
+    // A lower bound for w of the projection. 0: some marks may not be in front of the camera.
     float nearest = 0.0F;
     float nu_min = -1.0F;
     float nu_max = 1.0F;

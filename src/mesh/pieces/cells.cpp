@@ -2,7 +2,7 @@
 // The steps of make_cells(), in order:
 //
 //   SignedDistances   finds signed distances from the mesh
-//   decide_cell       decides what a cell is: without surface, with a tree over its sheets, or to be split
+//   decide_cell       decides about a cell: without surface, with a tree over its sheets, or to be split
 //     gather_tests    chooses places in the cell, and what f should be there
 //     choose_tree     chooses the tree over the cell's sheets that fails the fewest tests
 //   add_level         stores the cells of one level; those that are split make the next level

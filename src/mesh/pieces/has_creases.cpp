@@ -23,7 +23,7 @@ struct HalfEdgeMesh {
 
     const Mesh& mesh;
     base::Array<glm::dvec3> normal; // The unit normal of each face.
-    // For each side: the side of the other face at the same edge, or -1 if there is none.
+    // For each side: the side of the other face at the same edge, or -1 at a border.
     base::Array<std::int64_t> beyond;
     // For each side: the angle between the normals of the two faces at its edge, in degrees; below 0 in hollows.
     base::Array<double> bend;

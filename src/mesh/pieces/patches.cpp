@@ -127,7 +127,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
     }
 }
 
-// Returns the flats. If no face bulges by more than the tolerance, there are none.
+// Returns the flats. Without a face that bulges by more than the tolerance, the list is empty.
 [[nodiscard]] FlatRegions find_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
                                      const base::Array<glm::dvec3>& mean, double tolerance) {
     FlatRegions flats(runtime.memory);

@@ -390,7 +390,7 @@ void find_passes(Filling& f) {
     for (int i = 1; i <= levels; ++i) add_track(f, {1.0, level(i), in_pairs && i == 1 ? -1.0 : inside(i)});
 }
 
-// Returns the nearest pass to which the pen can move without leaving the line; -1 if there is none.
+// Returns the nearest pass to which the pen can move without leaving the line; -1 without such a pass.
 std::int64_t nearest_pass(const Filling& f, const dvec2& from, double at, bool& reversed) noexcept {
     double least = plot_tuning.longest_link * f.pen;
     std::int64_t found = -1;

@@ -16,7 +16,7 @@ struct LayOutTuning {
     double least_cell = 4.0;
     // The cells are enlarged if the page would have more than this number of cells times colours. Larger: more memory.
     double most_cells = 4e6;
-    // The greatest number of runs. In the last run, inks are drawn regardless of what they overlap. Larger: more groups
+    // The greatest number of runs. In the last run, inks are drawn even if they overlap others. Larger: more groups
     // in the file.
     std::int32_t most_runs = 32;
 };

@@ -27,15 +27,15 @@ using drawing::Drawing;
 using drawing::Stroke;
 using drawing::StrokePoint;
 
-// ---- Groups of ink: the dots of a layer, or the strokes of a layer that are behind a given number of surfaces
+// ---- Groups of ink: the dots of a layer, or the strokes of a layer that a given number of surfaces hides
 
-// Strokes behind more surfaces than this are grouped with those behind this many.
+// Strokes that more surfaces hide are grouped with those that this number of surfaces hides.
 constexpr std::int32_t most_hidden = 31;
 constexpr std::int32_t groups_of_layer = most_hidden + 2;
 
 std::int32_t hidden_layers(const Stroke& stroke) noexcept { return std::clamp(stroke.hidden_layers, 0, most_hidden); }
 std::int32_t group_of_dots(std::int64_t layer) noexcept { return static_cast<std::int32_t>(layer) * groups_of_layer; }
-// Returns the index of a group of strokes. Groups behind more surfaces come first.
+// Returns the index of a group of strokes. Groups that more surfaces hide come first.
 std::int32_t group_of_strokes(std::int64_t layer, std::int32_t hidden) noexcept {
     HRBFNPR_ASSERT(hidden >= 0 && hidden <= most_hidden);
     return group_of_dots(layer) + 1 + most_hidden - hidden;

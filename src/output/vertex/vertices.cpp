@@ -147,8 +147,8 @@ struct Line {
     std::span<const StrokePoint> points;
     bool closed;
 
-    // Returns the unit vector to the left of a segment at point i: the next segment of positive length if `behind`,
-    // else the previous one. Returns 0 if no segment has a length.
+    // Returns the unit vector to the left of a segment at point i: the next segment of positive length, or the previous
+    // one, as the last argument says. Returns 0 if no segment has a length.
     [[nodiscard]] glm::vec2 across(std::size_t i, bool behind) const noexcept {
         HRBFNPR_ASSERT(i < points.size());
         const std::size_t segments = points.size() - 1;
