@@ -64,7 +64,7 @@ void find_edges(const hrbfnpr_mesh& handle, const MeshEdgesDesc& desc, const hrb
     const base::OutView sides = out_view(sharp, "sharp", {3, index_types}, mesh.faces());
     mesh::FitMeshSettings settings;
     mesh_edges_fields().copy(desc, settings);
-    // A fit with the default `far` has the same ratio of `far` to the tolerance.
+    // The ratio of `far` to the tolerance is the same as in a fit with the default `far`.
     settings.tolerance = settings.far / 5.0;
     const OperationUse use(operation);
     const mesh::PlannedCreases plan =

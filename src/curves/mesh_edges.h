@@ -100,7 +100,7 @@ template <class MayEnter>
     return chains;
 }
 
-// A place on an edge of the mesh where g changes its sign.
+// A bead: a place on an edge of the mesh where g changes its sign.
 struct EdgeCrossing {
     std::int32_t negative, positive; // the numbers of the edge's two vertices
     Bracket edge;                    // the positions of the two vertices

@@ -250,7 +250,7 @@ struct RootCount {
     bool certain = true; // False if f touches 0, or if it is NaN or infinite somewhere.
 };
 
-// A range of a line that contains exactly one root of a span.
+// A range of a line, within one span, that contains exactly one root of f.
 struct Root {
     std::int64_t span;
     double low, high;

@@ -114,8 +114,8 @@ Curves starts_of(const base::Runtime& runtime, const SurfaceMesh& mesh, const Ch
     return starts;
 }
 
-// Reduces starts with known directions to about the same distance as starts from beads. Where the curve turns, they
-// stay closer.
+// Leaves out some of the starts whose directions are known, so that the others are about as far apart as starts that
+// are chosen from beads (starts_of()). Where the curve turns, they stay closer together.
 Curves thinned(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curves& starts,
                const TraceSettings& settings) {
     const double apart = curve_tuning.chosen_apart * settings.longest * mesh.side;

@@ -389,7 +389,7 @@ Chains<FeatureCrossing> find_crossings(const base::Work& work, const FeatureFiel
         for (std::int64_t i = edges.first[c]; i < edges.first[c + 1]; ++i) {
             FeatureCrossing crossing = field.crossing(edges.point[i]);
             const std::int64_t next = edges.next(c, i);
-            // The next crossing leaves the same triangle.
+            // The first two edges of an open chain belong to the same triangle, whose slope must count only once.
             const bool first = i == edges.first[c] && edges.closed[c] == 0;
             if (field.directed)
                 crossing.slope = (first ? 0.0 : field.slope(edges.point[i] / 3)) +

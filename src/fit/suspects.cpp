@@ -33,8 +33,9 @@ constexpr double against = -0.3;
 // this share of the mean cosine among the neighbours.
 constexpr double opposite_of_neighbours = 0.6;
 constexpr double opposite = 0.5;
-// A sample is flipped only if it is among its neighbours and as near to their tangent planes as they are. Otherwise it
-// may be on the other side of a thin wall, where normals are opposite, too.
+// A normal counts as flipped only if its sample lies amid its neighbours: their mean offset from it is small, and its
+// distance from their tangent planes is not much larger than is usual among them. Otherwise the sample may be on the
+// other side of a thin wall, where normals are opposite, too.
 constexpr double height_of_neighbours = 2.0;
 constexpr double height = 0.02; // the least height, in mean distances to a neighbour
 constexpr double off_centre = 0.5;

@@ -189,8 +189,8 @@ private:
         });
     }
 
-    // Returns the range of centres of the next candidates that act directly, as long as their centres are consecutive.
-    // Moves `i` past these candidates.
+    // Returns one range with the centres of the next candidates that act directly. The range ends before the first such
+    // candidate whose centres do not continue it. Moves `i` to that candidate, or to `end`.
     [[nodiscard]] SourceRange direct_range(std::int64_t& i, std::int64_t end) const noexcept {
         SourceRange range{0, 0};
         for (; i < end; ++i) {

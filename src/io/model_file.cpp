@@ -26,8 +26,8 @@ constexpr std::uint32_t tag_trim_ends = tag("TEND");
 constexpr std::int32_t highest_degree = 3;
 constexpr std::int64_t longest_report = 1024;
 
-// Limits for the inputs and results of a fit. A fit merges samples that are closer than 1e-9 diagonals, which bounds
-// its scale.
+// Limits for the inputs and results of a fit. The scale of a model is the spacing of its samples. It cannot be much
+// less than 1e-9 diagonals, because a fit merges samples that are closer than this.
 constexpr double smallest_side = 1e-110;
 constexpr double most_scale_ratio = 1e12; // the largest ratio of the bounds' longest side to the scale
 constexpr double radius_limit = 1e30;

@@ -44,7 +44,7 @@ struct EdgeLengths {
 // The verdict whether a mesh or a component has edges, and the reasons.
 struct CreaseEvidence {
     double length = 0.0;     // The length of the edges that bend by more than the angle, in diagonals.
-    double standing = 0.0;   // The share of `length` that stands out.
+    double standing = 0.0;   // The share of `length` in edges that stand out (has_creases.cpp).
     double coarse = 0.0;     // The share of `length` whose two faces are far from a round surface.
     bool creases = false;    // True if the shape has edges.
     bool polyhedron = false; // True if the shape has edges because its faces are coarse. All faces are then flat.

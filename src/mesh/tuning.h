@@ -42,7 +42,7 @@ struct MeshTuning {
     // more places are on the border.
     double on_side = 1e-9;
 
-    // ---- Samples that end at the border, in lengths of end_samples()'s `closest`
+    // ---- The row of samples along the border of an open mesh, and the even samples inside (end_samples())
 
     // The distance from the border to the row of places inside it, in units of end_samples()'s `closest`. By
     // measurement, s of surface/support.h is then 1.5 on the border. Larger: the surface ends before the border.
@@ -126,7 +126,7 @@ struct PlanTuning {
     std::int64_t most_faces_of_one = 100'000;
     std::int64_t most_faces = 300'000;
 
-    // ---- How near the surface is to come
+    // ---- How near the surface must be to the mesh
 
     // The largest allowed distance, in tolerances, unless the caller gives it. Larger: fewer centres in details.
     double far = 5.0;

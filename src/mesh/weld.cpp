@@ -472,8 +472,8 @@ enum class OppositeFace : std::uint8_t {
     return result;
 }
 
-// Drops walls between solids, because they are never visible. If solids also touch in faces that only one of them has,
-// each solid keeps its faces.
+// Drops walls between solids, because they are never visible. If two solids also touch beyond their shared faces, in
+// faces that coincide without being the same triangles, each solid keeps the shared faces as well.
 void leave_out_walls(const base::Work& work, const base::Array<Repeated>& repeated, double rounding, Welded& welded,
                      MeshReport& report) {
     if (report.repeated_faces == 0) return;

@@ -258,8 +258,9 @@ void spread_signs(const base::Work& work, const NeighbourLists& near, std::int64
     return to;
 }
 
-// Returns normals of planes through the `count` nearest first places of the farthest-first order. One in `share` places
-// is a first place. First places lie on all sides of a place, even if the places lie along lines.
+// For each place, returns the normal of a plane through it and its `count` nearest leading places. The leading places
+// are the first ones of the farthest-first order, one in `share` of all places. They surround a place on all sides,
+// even if the places lie along lines.
 [[nodiscard]] VecArray coarse_normals(const base::Work& work, const OrderedPoints& places, std::int64_t share,
                                       std::int64_t count) {
     const geometry::PointTree& tree = *places.tree;

@@ -48,8 +48,9 @@ public:
     // Sets each field of a record for which the list has "section.FIELD", in the order of the list: apply("fit", desc).
     // T is a struct of Record that starts with struct_size. Texts of the record point into this object. Two sections
     // have special rules:
-    //   "fit"            "auto" of regularization sets its mode AUTO. normal_mode is skipped: Options read it
-    //   "style.layers"   `share` is multiplied
+    //   "fit"            the value "auto" of regularization sets its mode to AUTO; normal_mode is skipped, because the
+    //                    class Options reads it
+    //   "style.layers"   the value of `share` is a factor, which multiplies the record's share
     template <class T>
     void apply(std::string_view section, T& record) const;
 

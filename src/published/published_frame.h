@@ -28,8 +28,9 @@ struct Mark {
     bool is_ink, is_paper;
 };
 
-// A map of the nearest surface's depth. It is drawn as discs of the front and back marks of items that hide others. A
-// disc lies beyond its layer by as much as discs of paper do, so that a layer does not hide its own ink.
+// A map of the nearest surface's depth. It is drawn as discs around the front and back marks of items that hide others.
+// Each disc is moved away from the eye, by as much as the discs of paper that make hidden lines paler, so that a layer
+// does not hide its own ink.
 class VisibilityMap {
 public:
     explicit VisibilityMap(base::Memory& memory) noexcept

@@ -43,8 +43,8 @@ struct ClassifiedCells {
 
 [[nodiscard]] ClassifiedCells classify_cells(const marks::Site& site, const SurfaceCells& cells);
 
-// The candidates on the planes of flat cells. Only their numbers are stored: the candidates are generated again from
-// the random numbers of the cells.
+// The candidates on the planes of flat cells. Only the number of candidates in each cell is stored: the candidates are
+// generated again from the random numbers of the cells.
 struct PlaneCandidates {
     std::uint32_t stream; // the stream of random numbers for the trials
     double density;       // the number of trials per unit of area

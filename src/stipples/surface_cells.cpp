@@ -45,9 +45,9 @@ struct VisitedCell {
     return cell.distance + cells.grid.side * glm::dot(cell.normal, way);
 }
 
-// Returns the cells that the flood enters from a cell. It skips cells that are too far off by this cell's plane; it may
-// still reach them by another cell's plane. If planes have been wrong, it skips no cells. Planes are wrong at a sharp
-// rim, or if f is not like a distance.
+// Returns, as bits, the neighbours of a cell that the flood enters. It skips a neighbour if the plane of this cell says
+// that the surface is too far from it; it may still reach that neighbour from another cell. If `anywhere`, it skips
+// none for this reason: an earlier plane was wrong, as at a sharp rim, or if f is not like a distance.
 [[nodiscard]] std::uint32_t flooded_neighbours_of(const SurfaceCells& cells, const Cell& place, const SurfaceCell& cell,
                                                   bool anywhere) noexcept {
     const double side = cells.grid.side;

@@ -37,8 +37,8 @@ public:
     Support(const base::Work& work, const geometry::VecArray& position, const geometry::VecArray& normal,
             double closest);
 
-    // From now on, keeps s below `limit` in the `kept` cells, so that holes there stay closed. `ends` are the cells in
-    // which the surface may end, among all cells that it is known to pass.
+    // From now on, keeps s below `limit` in the `kept` cells, so that holes there stay closed. Of the cells that the
+    // surface is known to pass, `ends` are those in which it may end.
     void keep(const geometry::CellGrid& grid, geometry::CellSet kept, geometry::CellSet ends, double limit);
     [[nodiscard]] bool may_end_at(const glm::dvec3& place) const noexcept {
         return !(limit_ > 0.0) || !kept_.contains(geometry::CellGrid::pack(grid_.cell_of(place)));

@@ -514,7 +514,8 @@ bool may_pierce(const PiercingPlace& a, const PiercingPlace& b, double in_surfac
     return !(near(a) && near(b));
 }
 
-// A cubic is at most half of its chord away from its ends.
+// Returns whether a part of a line may reach the region. A cubic leaves the bounding box of its ends by at most half of
+// the distance between them.
 bool is_near_region(const PiercingPart& part, const geometry::Bounds& region) noexcept {
     geometry::Bounds box;
     box.extend(part.low.point);

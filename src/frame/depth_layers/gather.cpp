@@ -275,10 +275,10 @@ struct VisibleCluster {
     return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(visible.cluster.count)));
 }
 
-// Sets the halo of a splat near the contour. The halo starts at the contour, and must not lie before the contour's own
-// line, even where this line runs into the depth. The contour's direction is conjugate to the line of sight, because
-// the normal stays perpendicular to the line of sight along the contour. [Koenderink 1984, "What does the occluding
-// contour tell us about solid shape?"]
+// Sets the halo of a splat near the contour. The halo starts at the contour, and must not be nearer to the eye than the
+// contour's own line, even where the depth along that line changes fast. The contour's direction is conjugate to the
+// line of sight, because the normal stays perpendicular to the line of sight along the contour. [Koenderink 1984, "What
+// does the occluding contour tell us about solid shape?"]
 void set_halo(const RunView& v, const VisibleCluster& visible, const ProjectedMarks& projected, std::int64_t i,
               Splat& c) noexcept {
     const float nu = projected.nu[i];

@@ -23,7 +23,7 @@ namespace hrbfnpr::frame {
 // The margins of a mark. The line is drawn where none of them is negative.
 enum HatchMargin : std::size_t {
     margin_tone = 0,    // how much darker the mark is than the tone at which lines begin
-    margin_level = 1,   // the space for lines of the mark's level
+    margin_level = 1,   // how much space other lines leave for a line of the mark's level; 1: enough
     margin_rim = 2,     // how far the mark is turned towards the eye
     margin_picture = 3, // how far the mark is inside the picture and a strip around it, in pixels
     hatch_margins = 4

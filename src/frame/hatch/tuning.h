@@ -27,8 +27,9 @@ struct HatchTuning {
     float last_nu = -0.03F;
     // Marks with n . v above this have no width. Larger: more marks are processed.
     float widest_nu = 0.2F;
-    // A line is fully present where it is darker by this than the tone at which lines begin. With less darkness it
-    // fades, and connects the parts on its two sides less. Larger: ends are softer where the tone changes slowly.
+    // The presence of a line (presence.h) is 1 where the line is darker, by at least this, than the tone at which lines
+    // begin. Where the line is less dark, its presence falls towards 0, and the parts of the line on either side hold
+    // together less. Larger: ends are softer where the tone changes slowly.
     float tone_ramp = 0.03F;
     // A line fades if the margin of its level is below this. Larger: levels with hardly any space change more of the
     // lines beside them.
@@ -117,7 +118,8 @@ struct HatchTuning {
 
     // ---- An unsteady hand
 
-    // The length of a swing: of the wobble, in pens, and of the stroke ends, in longest overshoots. Larger: calmer.
+    // The length of a swing of the noise: `wobble_swing` is for the wobble, in pens, and `end_swing` for the ends of
+    // strokes, in lengths of the longest overshoot. Larger: calmer.
     float wobble_swing = 60.0F;
     float end_swing = 4.0F;
     // The noise has this many knots in a swing, and at least `fewest_knots` around a closed stroke. Larger: rounder,

@@ -43,7 +43,7 @@ struct PartPath {
     const DrawnSubject& drawn;
     const LinePart& part;
     base::Array<StrokePlace> place;
-    base::Array<double> knot; // The distances of further points between the places, in order.
+    base::Array<double> knot; // further points between the places, as rising distances along the line, in pixels
 };
 
 // A range on the way from one place to the next, as shares of the way. It is empty if low > high.

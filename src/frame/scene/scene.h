@@ -130,8 +130,8 @@ struct Run {
     const marks::Layer* marks = nullptr;
     const LayerStyle* style = nullptr;
     DiscSizes discs;
-    // Three numbers for each mark. Positions are relative to the origin of the set. The arrays belong to the layer, to
-    // the item's pose, or to the run of the other side.
+    // For each mark: x, y and z. Positions are relative to the origin of the set. The arrays are those of the layer, or
+    // transformed copies if the item has a pose. If `turned`, the normals are opposite copies of these.
     const float* position = nullptr;
     const float* normal = nullptr;
     const float* posed_direction = nullptr; // NULL if the pose has no directions

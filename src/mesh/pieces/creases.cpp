@@ -57,7 +57,7 @@ struct BentEdge {
 
 struct BentEdges {
     base::Array<BentEdge> edge;
-    base::Groups at;                  // for each vertex: the numbers of its bends
+    base::Groups at;                  // for each vertex: the indices in `edge` of the edges that end there
     base::Array<std::int32_t> degree; // for each vertex: the number of creases and patch borders there
 
     void sharpen(std::int64_t i) noexcept {

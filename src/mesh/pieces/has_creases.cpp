@@ -15,7 +15,7 @@ namespace {
 
 constexpr double degrees = 57.29577951308232;
 
-// ---- The mesh by its sides. Side 3 face + k goes from corner k of the face to the next one.
+// ---- The mesh as half-edges, here called sides. Side 3 face + k goes from corner k of the face to the next one.
 
 struct HalfEdgeMesh {
     HalfEdgeMesh(const Mesh& of, base::Array<glm::dvec3>&& normals, base::Array<std::int64_t>&& sides)

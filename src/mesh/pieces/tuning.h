@@ -103,7 +103,8 @@ struct PatchTuning {
 
     // About this many places are sampled on a patch. Larger: slower fits, finer details.
     double wanted_places = 3000.0;
-    // A grid cell contains at most one place. Its side is this many spacings, and along creases the second constant.
+    // A cell of a grid contains at most one place. The cell's side is `thinned` spacings, or `thinned_crease` spacings
+    // for places on creases.
     double thinned = 0.7;
     double thinned_crease = 0.35;
     // A side of a face is divided into at most this many pieces.
