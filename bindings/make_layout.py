@@ -137,7 +137,7 @@ def names(api):
     structs_named = packed(" ".join(f"X({name})" for name in NAMED), " \\")
     return "".join([
         NAMES_HEAD, f"\ninline constexpr NamedConstant named_constants[] = {{\n{packed(rows)}}};\n\n", *parts,
-        "#undef FIELD\n\n// X(name without hrbfnpr_) of these structs.\n#define HRBFNPR_NAMED_STRUCTS(X) \\\n",
+        "#undef FIELD\n\n// Calls X for each of these structs, with its name without hrbfnpr_.\n#define HRBFNPR_NAMED_STRUCTS(X) \\\n",
         f"{structs_named}\n\n}} // namespace hrbfnpr::picture\n"])
 
 

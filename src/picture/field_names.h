@@ -138,7 +138,7 @@ inline constexpr NamedField names_of_hrbfnpr_page_desc[] = {
 #undef RECORD
 #undef FIELD
 
-// X(name without hrbfnpr_) of these structs.
+// Calls X for each of these structs, with its name without hrbfnpr_.
 #define HRBFNPR_NAMED_STRUCTS(X) \
     X(style) X(layer_style) X(line_style) X(fit_desc) X(mesh_fit_desc) X(generate_desc) X(layer_desc) X(line_set_desc) \
     X(line_desc) X(page_desc)
