@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// find_groups() labels the connected parts of a mesh: two faces are connected if they share an edge and no third face
-// has it. It joins all closed parts, and open parts that share a seam. Then it finds parts that are near each other,
-// and puts them into different groups.
+// find_groups() first labels the connected parts of a mesh. Two faces are connected if they share an edge that no third
+// face uses. Then it joins all closed parts into one part, and joins open parts that have a common seam. Last, it finds
+// parts that are near each other, and puts them into different groups.
 #include "picture/apart.h"
 
 #include "api/mesh.h"
@@ -48,7 +48,8 @@ Labels labels_of(const Vector<Pair>& joined, std::int64_t count, Pool& pool) {
 
 std::size_t label_at(const Labels& labels, std::size_t i) noexcept { return static_cast<std::size_t>(labels.of[i]); }
 
-// Labels the faces that share edges. Edges of three or more faces are skipped, because surfaces cross there.
+// Labels the connected components of the faces. Two faces are connected if they share an edge of exactly two faces.
+// Edges of three or more faces connect nothing, because surfaces cross there.
 Labels labels_of_faces(const FaceEdges& edges, Pool& pool) {
     Vector<Pair> joined(&pool);
     for (const PlainEdge& plain : plain_edges(edges, pool))
@@ -81,7 +82,7 @@ Vector<std::uint8_t> small_parts(const Sizes& sizes, Pool& pool) {
     return little;
 }
 
-// ---- Places that meet
+// ---- Parts near each other
 
 // Places on a mesh, each with the part that it lies on.
 struct PlacesOnParts {
@@ -97,13 +98,14 @@ struct CellPlace {
 };
 
 std::int64_t cell_number(double x) noexcept {
-    constexpr double limit = 9e18; // The largest number of cells that fits in 64 bits.
+    constexpr double limit = 9e18; // Cell indices below this magnitude fit in 64 bits.
     const double lower = std::floor(x);
     return std::abs(lower) < limit ? static_cast<std::int64_t>(lower) : std::numeric_limits<std::int64_t>::min();
 }
 
-// Calls visit(span of CellPlace) for each grid cell that holds places of several parts. There are eight grids of cubes,
-// shifted against each other. Any two places closer than half a side share a cube of at least one grid.
+// Calls visit(span of CellPlace) with the places of each grid cell that holds places of several parts. There are eight
+// grids of cubes whose edges have the length `side`. Each grid is shifted by 0 or half an edge along each axis. So any
+// two places that are less than half an edge apart lie in one cube of at least one grid.
 template <class Visit>
 void for_meetings(const PlacesOnParts& places, double side, Pool& pool, Visit&& visit) {
     Vector<CellPlace> cells(places.place.size(), CellPlace{}, &pool);
@@ -176,7 +178,8 @@ PlacesOnParts spread_places(const Points& points, const Vector<Triangle>& faces,
     return places;
 }
 
-// Returns the pairs of parts that are closer than `reach`. Pairs up to 3.5 times as far apart may be included.
+// Returns the pairs of parts whose distance is less than `reach`. Some pairs at distances up to 3.5 times `reach` are
+// included too.
 PairsOfParts near_parts(const PlacesOnParts& places, std::int64_t count, double reach, Pool& pool) {
     PairsOfParts near(count, pool);
     Vector<std::int64_t> parts(&pool);
@@ -246,8 +249,8 @@ void add_border_neighbours(std::span<const CellPlace> cell, const BorderPlaces& 
                            Vector<BorderNeighbour>& found) {
     for (const CellPlace& one : cell) {
         const std::int64_t part = places.on.part[one.place];
-        // The part that was found last. It is not added again, which saves time: consecutive places often have the same
-        // part.
+        // The neighbouring part that was added last. It is not added again, which saves time: consecutive places of a
+        // cell often lie on one part.
         std::int64_t last = part;
         for (const CellPlace& two : cell) {
             const std::int64_t other = places.on.part[two.place];
@@ -260,7 +263,8 @@ void add_border_neighbours(std::span<const CellPlace> cell, const BorderPlaces& 
     }
 }
 
-// Returns the pairs of parts whose borders have a common seam. Such parts are one surface that was cut.
+// Returns the pairs of parts that have a common seam: a large share of the first part's border runs along the border of
+// the second part. Two such parts are one surface that was cut.
 Vector<Pair> seams_between(const BorderPlaces& places, std::int64_t count, double reach, Pool& pool) {
     Vector<double> border(static_cast<std::size_t>(count), 0.0, &pool); // The border length of each part.
     for (std::size_t i = 0; i < places.weight.size(); ++i)
@@ -299,7 +303,8 @@ void join_solids(const Vector<BorderEdge>& border, const Labels& labels, Vector<
     }
 }
 
-// Assigns a group to each part. From the largest part down, each part joins the first group that has no part near it.
+// Assigns a group to each part, from the largest part to the smallest. A part joins the first group whose parts are all
+// far from this part, or the last allowed group. Parts marked in `little` join the first group.
 Vector<std::int64_t> groups_of_parts(const Vector<double>& area, const PairsOfParts& near,
                                      const Vector<std::uint8_t>& little, Pool& pool) {
     Vector<std::size_t> order(area.size(), 0, &pool);
@@ -398,7 +403,7 @@ LostParts find_lost_parts(const Mesh& mesh, Pool& pool) {
     const Vector<std::int32_t> part = numbers_of(mesh, HRBFNPR_MESH_ATTRIBUTE_COMPONENT, pool);
     const auto part_of = [&](std::size_t face) { return static_cast<std::size_t>(part[face]); };
     const std::size_t parts = static_cast<std::size_t>(*std::max_element(part.begin(), part.end())) + 1;
-    Vector<double> area(parts, 0.0, &pool); // Parts that are left out have the area 0.
+    Vector<double> area(parts, 0.0, &pool); // Twice the area of each part; 0 for parts that the mesh left out.
     for (std::size_t f = 0; f < faces.size(); ++f) area[part_of(f)] += glm::length(doubled_area_of(points, faces[f]));
     const double whole = sum_in_pairs(area);
     Vector<std::uint8_t> is_crumb(&pool);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Finds parts of a mesh that are not fitted together with the others: crossing parts, tiny parts far away ("lost
-// parts"), and flaps.
+// Finds parts of a mesh that are not fitted together with the rest: crossing parts, "lost parts" (tiny and far away),
+// and flaps (small parts that are attached to a larger part along an edge).
 //
-// One implicit function is fitted to a mesh, and its surface continues beyond the border of each part. Where another
-// part is near, the two continuations cannot be told apart. So the parts of an open mesh that cross or lie close to
-// each other are split into groups, and each group gets a separate surface. Closed parts need no groups, because the
-// library joins them as solids.
+// One implicit function is fitted to a mesh, and its surface continues past the border of each open part. Where two
+// parts are near each other, one function cannot separate their continuations. So parts of an open mesh that cross, or
+// are near each other, are put into different groups, and each group gets a separate surface. Closed parts need no
+// groups, because the library joins them as solids.
 #pragma once
 
 #include "picture/faces.h"
@@ -14,10 +14,10 @@
 
 namespace hrbfnpr::picture {
 
-using FaceNumbers = Vector<std::int64_t>; // face numbers in ascending order
+using FaceNumbers = Vector<std::int64_t>; // face indices in ascending order
 
 struct FaceGroups {
-    Vector<FaceNumbers> groups; // The groups, beginning with the group of the largest area.
+    Vector<FaceNumbers> groups; // The faces of each group. The group with the largest area comes first.
     std::int64_t parts = 0;     // The number of parts in all groups.
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rasterizes the picture, and counts the pixels that differ from the paper. The counts of the drawing tell why marks
-// are not shown.
+// Rasterizes the drawing, and measures the share of pixels that differ from the paper. The counts of marks in
+// hrbfnpr_drawing_info tell why marks are not shown.
 #include "picture/blank.h"
 
 #include "picture/look.h"
@@ -67,7 +67,8 @@ double share_of_ink(const Drawing& drawing, const hrbfnpr_camera& camera, const 
     return static_cast<double>(std::count_if(pixels.begin(), pixels.end(), has_ink)) / static_cast<double>(count);
 }
 
-// Tells whether the picture shows a corner of the box, or the middle of an edge, of a face or of the box.
+// Tells whether the camera sees at least one of 27 points of the box: its corners, the midpoints of its edges and
+// faces, and its centre.
 bool is_in_view(const geometry::Bounds& bounds, const hrbfnpr_camera& camera) noexcept {
     constexpr std::array steps{0.0, 0.5, 1.0};
     for (const double x : steps) {
@@ -115,7 +116,8 @@ String reasons_of_blank(const hrbfnpr_drawing_info& info, const geometry::Bounds
                              static_cast<long long>(info.front + info.silhouette)));
         reasons += is_flipped ? "leave out {flip!}" : "{flip!} turns them";
     }
-    const double toned = facing - static_cast<double>(info.dropped_tone); // the number of marks that the tone asks for
+    // The number of front and contour marks that the tone shows.
+    const double toned = facing - static_cast<double>(info.dropped_tone);
     const bool by_depth = takes_most(info.dropped_depth, toned);
     const bool by_zoom = takes_most(info.dropped_zoom, toned);
     if (takes_most(info.dropped_tone, facing) && reasons.empty() && !by_depth && !by_zoom)

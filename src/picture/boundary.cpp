@@ -36,7 +36,7 @@ hrbfnpr_picture_event defaults() noexcept {
 
 namespace {
 
-// Returns the element with a given number from a list of the picture. Fails if the number is out of range.
+// Returns the element with a given index from a list of the picture. Fails if the index is out of range.
 template <class List>
 const auto& element(const List& list, std::int64_t number, const char* what) {
     if (number < 0 || number >= static_cast<std::int64_t>(list.size()))

@@ -33,7 +33,7 @@ public:
     std::shared_ptr<const Settings> settings; // may be null
     // True if the caller names no style, so that the style and layers come from the settings.
     bool takes_style_of_settings = false;
-    Changes changes;                      // The fields of the settings come first, then the caller's changes.
+    Changes changes;                      // The changes from the settings, followed by the caller's changes.
     Vector<hrbfnpr_dab> dabs;             // The caller's dabs, or else the dabs of the settings.
     std::optional<Style> style;           // The caller's style, which is used unchanged, with lengths in pixels.
     std::optional<hrbfnpr_camera> camera; // The caller's camera, which is used unchanged.

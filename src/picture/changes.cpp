@@ -16,7 +16,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// In a path, this part means all layers: "style.layers.F" changes the field F of each.
+// In a path, this name means all layers: "style.layers.F" changes the field F of every layer.
 constexpr std::string_view layers_part = "layers";
 constexpr std::string_view lines_part = "lines";
 
@@ -30,8 +30,8 @@ struct ChangeTarget {
     const NamedField* field = nullptr;
     Special special = Special::none;
     bool has_section = true;
-    std::string_view wrong_kind = {}; // A name in the path that is not a kind of layers, or "".
-    bool is_of_style = false;         // True for the style, false for the layers of marks.
+    std::string_view wrong_kind = {}; // The middle name of the path if it is no kind of layers or lines, else "".
+    bool is_of_style = false;         // True if the path begins with "style".
 };
 
 // Returns whether a field selects the records that a change applies to. Such a field cannot be changed.
@@ -45,7 +45,7 @@ struct ChangeTarget {
     return find_choice(*kinds, name) != nullptr;
 }
 
-// Returns whether a name means a kind of lines. If layers have a kind of the same name, the name means these layers.
+// Returns whether a name is a kind of lines. In a path, a name that is also a kind of layers means the layers.
 [[nodiscard]] bool is_line_kind(std::string_view name) noexcept {
     return find_choice(*find_field(Record::line_style, "kind"), name) != nullptr;
 }
@@ -93,7 +93,8 @@ struct ChangeTarget {
     return target.record == Record::fit_desc && target.field_name == "regularization";
 }
 
-// Returns a field whose rules apply to the value of style.ink.
+// Returns the field that stands for the path "style.ink": its value is parsed and checked like the value of
+// silhouette_ink.
 [[nodiscard]] const NamedField& ink_field() noexcept { return *find_field(Record::style, "silhouette_ink"); }
 
 [[noreturn]] void refuse_kind(const ChangeTarget& target, const char* name, std::string_view path, Pool& pool) {
@@ -150,7 +151,8 @@ void check_change(const ChangeTarget& target, const char* name, std::string_view
     return found;
 }
 
-// Returns a value as it is stored. Choices are stored by their plain names, so that readers see one spelling.
+// Returns the text that is stored for a value. The name of a choice is stored in one spelling, whatever spelling the
+// caller used.
 [[nodiscard]] String plain_value(const ChangeTarget& target, std::string_view value, Pool& pool) {
     if (is_regularization(target)) return plain_name(value, pool);
     if (target.field == nullptr || target.field->meaning != Meaning::choice) return String(value, &pool);
@@ -174,8 +176,8 @@ void read_changes(const hrbfnpr_change* first, std::int64_t count, std::int64_t 
     }
 }
 
-// Sets the fields of a fit that need special rules: regularization and its mode set each other, and normal_mode is
-// skipped. Returns false for all other fields.
+// Sets the fields of a fit that need special rules. A value of regularization also sets its mode, and the mode AUTO
+// sets regularization to 0. The field normal_mode is skipped. Returns false for all other fields.
 [[nodiscard]] bool set_fit_field(const NamedField& field, std::string_view value, void* record) noexcept {
     const NamedField& mode = *find_field(Record::fit_desc, "regularization_mode");
     const NamedField& amount = *find_field(Record::fit_desc, "regularization");

@@ -27,8 +27,8 @@ class Changes {
 public:
     // Reads and checks the caller's list. Throws Error{invalid_argument} that names the path and the allowed values.
     Changes(const hrbfnpr_change* first, std::int64_t count, std::int64_t stride, Pool& pool);
-    // Makes a list of the fields of settings, followed by the caller's list, which alone is checked. Later changes
-    // override earlier ones.
+    // Makes a list of the changes from settings, followed by the caller's changes. Only the caller's changes are
+    // checked. Later changes override earlier ones.
     Changes(const Vector<std::pair<String, String>>& of_settings, const hrbfnpr_change* first, std::int64_t count,
             std::int64_t stride, Pool& pool);
     Changes(Changes&&) noexcept = default;
@@ -39,8 +39,8 @@ public:
     // Returns the last value for a path, or nullopt.
     [[nodiscard]] std::optional<std::string_view> value(std::string_view path) const noexcept;
     [[nodiscard]] bool has(std::string_view path) const noexcept { return value(path).has_value(); }
-    // Returns the last value for a path as a number. A constant's name gives its number. Returns nullopt for a field
-    // with several numbers, and for "auto" of fit.regularization.
+    // Returns the last value for a path as a number. The name of a constant is converted to the constant's value.
+    // Returns nullopt for a field with several numbers, and for the value "auto" of fit.regularization.
     [[nodiscard]] std::optional<double> number(std::string_view path) const noexcept;
     // Returns the last value for a path as straight RGBA.
     [[nodiscard]] std::optional<std::array<float, 4>> colour(std::string_view path) const noexcept;

@@ -32,8 +32,9 @@ struct GrowingOutline {
         return glm::length(a - b) <= least && points.size() > 1;
     }
     [[nodiscard]] bool is_closed() const noexcept { return meets(points.back(), points.front()); }
-    // Appends a part that continues this outline. If `turned`, the last point of the part is the near one, so the part
-    // is appended in reverse order.
+    // Appends a part that continues this outline. The part's first point is skipped, because it coincides with the end
+    // of the outline. If `turned` is true, the part's last point coincides with the end of the outline, so the part is
+    // appended in reverse order.
     void append(const Outline& part, bool turned) {
         const std::size_t before = points.size();
         if (turned)

@@ -7,13 +7,15 @@
 
 namespace hrbfnpr::picture {
 
-// Returns the model without the surface that is beyond the places. `desc` is complete except for its points. `of` names
-// the source of the places: "points" or "mesh". If no end is found, it warns and returns the unchanged model.
+// Returns the model, trimmed by hrbfnpr_model_trim to the surface that the places support. `desc` is complete except
+// for its points. `of` names the source of the places: "points" or "mesh". If the end of the surface is not found, the
+// function warns and returns the unchanged model.
 [[nodiscard]] Model ended_by(const Call& call, const Model& model, const Points& places, const char* of,
                              const hrbfnpr_trim_desc& desc);
 
-// Returns the model without the surface that is beyond the points of the shape. `hole` is the size of gaps between
-// points with normals, in the points' unit, or nullopt if it is unknown.
+// Returns the model, trimmed to the surface that the points of the shape support. `hole` is hrbfnpr_trim_desc::hole in
+// the unit of the points, for points with normals. If `hole` is nullopt, the default is used, and no normals are
+// passed.
 [[nodiscard]] Model end_of_points(const Call& call, const Model& model, const Shape& shape, std::optional<double> hole);
 
 [[nodiscard]] hrbfnpr_trim_info trim_info_of(const Model& model);

@@ -8,9 +8,9 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// A side of a face, stored in the list of the side's lower vertex.
+// A side (half-edge) of a face. It is stored in the list of its vertex with the lower index.
 struct SideOfVertex {
-    std::int64_t high; // The higher vertex of the side.
+    std::int64_t high; // The vertex with the higher index.
     std::int64_t side;
 };
 
@@ -26,7 +26,7 @@ hrbfnpr_array mesh_view(const Mesh& mesh, std::uint32_t attribute) {
     return view;
 }
 
-// Returns the elements of a mesh's array as a span. They are contiguous.
+// Returns an array of a mesh as a span. The elements must be contiguous.
 template <class T>
 std::span<const T> dense_view(const hrbfnpr_array& view, std::uint32_t scalar, std::uint32_t components) {
     HRBFNPR_ASSERT(view.scalar == scalar && view.components == components);

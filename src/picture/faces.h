@@ -10,14 +10,15 @@
 
 namespace hrbfnpr::picture {
 
-// The edges of triangles. A side is one face's use of an edge: side k * faces + f goes from corner k of face f to the
-// next corner of the face.
+// The edges of triangles. A side is a half-edge of one face: the side with index k * faces + f goes from corner k of
+// face f to the next corner of face f.
 struct FaceEdges {
     explicit FaceEdges(Pool& pool) : ends(&pool), first(&pool), sides(&pool), of_side(&pool) {}
 
-    Vector<Edge> ends;          // The two vertices of each edge, the lower one first. The edges are in ascending order.
-    Vector<std::int64_t> first; // The index in `sides` where the list of each edge begins, and the size of `sides`.
-    Vector<std::int64_t> sides; // All sides, sorted by edge, then by number.
+    // The vertex indices of each edge, the lower index first. The edges are sorted by these indices.
+    Vector<Edge> ends;
+    Vector<std::int64_t> first;   // The index in `sides` where the list of each edge begins, and the size of `sides`.
+    Vector<std::int64_t> sides;   // All sides, sorted by edge, then by side index.
     Vector<std::int64_t> of_side; // The edge of each side.
     std::int64_t faces = 0;
 
@@ -32,10 +33,10 @@ struct FaceEdges {
     [[nodiscard]] std::size_t face(std::int64_t side) const noexcept { return static_cast<std::size_t>(side % faces); }
 };
 
-// Finds the edges of triangles. All vertex numbers of the triangles are below `vertices`.
+// Finds the edges of triangles. All vertex indices of the triangles are below `vertices`.
 [[nodiscard]] FaceEdges find_edges(const Vector<Triangle>& triangles, std::size_t vertices, Pool& pool);
 
-// The number of an edge of exactly two faces, and the two faces.
+// The index of an edge that exactly two faces share, and the indices of these faces.
 struct PlainEdge {
     std::size_t edge;
     std::size_t one, other; // the two faces
@@ -48,7 +49,7 @@ struct PlainEdge {
     return glm::cross(points[static_cast<std::size_t>(face[1])] - a, points[static_cast<std::size_t>(face[2])] - a);
 }
 
-// Returns the unit vector of a vector, or 0 for 0.
+// Returns the vector scaled to length 1, or the zero vector if its length is 0.
 [[nodiscard]] glm::dvec3 unit_or_zero(const glm::dvec3& vector) noexcept;
 
 [[nodiscard]] Vector<double> areas_of(const Points& points, const Vector<Triangle>& faces, Pool& pool);

@@ -41,12 +41,12 @@ struct NamedField {
     std::uint16_t offset; // offset in the struct, in bytes
     Scalar scalar;
     Meaning meaning;
-    std::uint8_t count;          // The number of numbers in the field: 1, or the length of an array.
+    std::uint8_t count;          // The count of numbers in the field: 1, or the length of an array.
     std::uint8_t first_constant; // The index in named_constants of the field's first choice.
     std::uint8_t constants;
 };
 
-// A struct that has a table.
+// A struct whose fields have a table in field_names.h.
 enum class Record : std::uint8_t {
     style,
     layer_style,
@@ -74,7 +74,7 @@ enum class Record : std::uint8_t {
 
 // The value of a field. Whole numbers are stored exactly.
 struct FieldValue {
-    std::array<double, 4> numbers{}; // The numbers of a field. Integer fields set the first one, too.
+    std::array<double, 4> numbers{}; // All numbers of the field. An integer is also stored here, in numbers[0].
     std::uint64_t whole = 0;         // The value of an integer field, as two's complement.
 };
 
@@ -90,7 +90,7 @@ struct FieldValue {
 
 [[nodiscard]] FieldValue load_value(const NamedField& field, const void* record) noexcept;
 void store_value(const NamedField& field, const FieldValue& value, void* record) noexcept;
-[[nodiscard]] const char* load_text(const NamedField& field, const void* record) noexcept; // may be null
+[[nodiscard]] const char* load_text(const NamedField& field, const void* record) noexcept; // The result may be null.
 void store_text(const NamedField& field, const char* text, void* record) noexcept;
 
 // Parses a text that consists of one decimal number, such as "1", "-2.5e3" or "+.5". The locale of the process does not

@@ -54,7 +54,7 @@ public:
     [[nodiscard]] T* get() const noexcept { return handle_; }
     [[nodiscard]] explicit operator bool() const noexcept { return handle_ != nullptr; }
     [[nodiscard]] bool operator==(const Handle& other) const noexcept { return handle_ == other.handle_; }
-    // Returns the reference, whose owner is now the caller.
+    // Passes the reference to the caller. This handle becomes null.
     [[nodiscard]] T* take() noexcept { return std::exchange(handle_, nullptr); }
 
 private:

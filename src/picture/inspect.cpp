@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Inspects points and meshes in the same order as a picture uses them. It first removes values that mark missing data,
-// and strays. Then it examines positions, duplicates, the topology of a mesh, normals, and the up direction. A note
-// names a repair that a picture would make, and a warning names a risk.
+// Inspects points and meshes in the order of the steps that make a picture. Points that mark missing data are removed
+// first, then strays (outliers). After that, positions, duplicates, the topology of a mesh, normals and the up
+// direction are examined. A note names a repair that a picture would make, and a warning names a risk.
 #include "picture/inspect.h"
 
 #include "api/barrier.h"
@@ -25,7 +25,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// The samples that show the normals and the up direction of a surface.
+// The samples that are used to judge the normals and to find the up direction.
 struct InspectedSamples {
     Points points;
     Points normals; // one unit vector for each point; all zero if the source has no normals
@@ -247,7 +247,7 @@ InspectedSamples inspect_points(const Call& call, const Shape& shape, hrbfnpr_so
     return samples;
 }
 
-// ---- The picture of a depth camera
+// ---- Depth images
 
 InspectedSamples inspect_image(const Call& call, Shape& shape, hrbfnpr_source_info& info) {
     Pool& pool = call.pool;
@@ -375,13 +375,13 @@ bool is_of_source(const Error& error) noexcept {
            error.status() == Status::not_converged;
 }
 
-// A mesh, or the error that prevented it.
+// The repaired mesh, or the error that made the repair fail.
 struct RepairedMesh {
     Mesh mesh;
     std::optional<Error> error;
 };
 
-// Mends a mesh as for a fit, but keeps all its parts.
+// Repairs a mesh in the way that a fit repairs it, but keeps all parts of the mesh.
 RepairedMesh repair_mesh(const Call& call, const Shape& shape) {
     Stage stage(call.report, HRBFNPR_STAGE_MESH);
     auto desc = defaults<hrbfnpr_mesh_desc>(hrbfnpr_mesh_desc_init);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// nlohmann's parser handles the grammar: numbers, escapes, UTF-8, and the places of errors. Its events fill the list of
-// values, so only the current token is stored outside the context's memory.
+// The library nlohmann/json parses the text: numbers, escapes, UTF-8, and the positions of errors. It reports each
+// value by an event, and JsonEvents appends the value to the list. So only the current token is stored outside the
+// context's memory.
 #include "picture/json.h"
 
 #include "base/assert.h"
@@ -109,7 +110,7 @@ void append_escape(String& to, std::uint32_t unit) {
     return code;
 }
 
-// Appends a text in quotes. Characters beyond ASCII are escaped.
+// Appends a text in quotes. Characters that are not ASCII are escaped.
 void append_quoted(String& to, std::string_view text) {
     constexpr std::string_view plain = "\"\\\n\r\t\b\f";
     constexpr std::string_view escaped = "\"\\nrtbf";
@@ -228,7 +229,7 @@ void JsonDocument::write_line(String& to, std::size_t number) const {
 }
 
 void JsonDocument::write(String& to, std::size_t number, std::size_t indent) const {
-    constexpr std::size_t deepest = 4; // Values with a deeper indent, in spaces, are written in one line.
+    constexpr std::size_t deepest = 4; // Values whose indent is larger, in spaces, are written in one line.
     const JsonItem& item = items_[number];
     bool has_deep_parts = false;
     for (std::size_t part = number + 1; part < item.end; part = items_[part].end)

@@ -13,11 +13,12 @@ namespace hrbfnpr::picture {
 
 enum class JsonKind : std::uint8_t { null, boolean, whole, real, text, list, object };
 
-// A value of a document. The values inside it follow it in the list.
+// A value of a document. The members of a list or object follow the list or object itself in the document's list of
+// values.
 struct JsonItem {
     JsonKind kind = JsonKind::null;
     bool is_negative = false;    // Only set for whole numbers.
-    std::uint32_t end = 0;       // The index of the first item after this item and the values inside it.
+    std::uint32_t end = 0;       // The index of the first item after this item and all items nested in it.
     std::uint32_t key_begin = 0; // Where the key begins in the document's texts, if the item is a member of an object.
     std::uint32_t key_size = 0;
     std::uint64_t magnitude = 0;  // The magnitude of a whole number, or 1 for true.
@@ -48,8 +49,8 @@ public:
 
     // Writes an item as Python's json.dumps does by default: in one line, in ASCII.
     void write_line(String& to, std::size_t item) const;
-    // Writes an item. A value that contains lists or objects gets a line for each of its members; all others are
-    // written by write_line().
+    // Writes an item. If its members include lists or objects, and its indent is not too large, each member begins a
+    // new line. Otherwise write_line() writes the item.
     void write(String& to, std::size_t item, std::size_t indent) const;
 
 private:

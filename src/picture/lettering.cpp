@@ -133,8 +133,8 @@ char32_t take_character(std::string_view& text) noexcept {
 
 double width_of_glyph(const Glyph& glyph) noexcept { return static_cast<double>(glyph.width) + gap_of_glyphs; }
 
-// Returns the side of a grid square. The grid is slightly smaller than the letters, because strokes reach half their
-// width beyond it.
+// Returns the side length of a grid square. Strokes extend past the grid by half their width, so the grid of a capital
+// is smaller than the capital by one stroke width.
 double square_of_grid(double capitals) noexcept {
     return (1.0 - lettering_tuning.stroke_width) * capitals / rows_of_capital;
 }

@@ -8,8 +8,8 @@
 
 namespace hrbfnpr::picture {
 
-// `capitals` is the height of capital letters, and all lengths are in its unit. Texts are UTF-8. Glyphs exist for
-// digits, letters without accents, the micro sign and some punctuation. Any other character is drawn as a box.
+// `capitals` is the height of capital letters. All lengths have the unit of `capitals`. Texts are UTF-8. Glyphs exist
+// for digits, letters without accents, the micro sign and some punctuation. Any other character is drawn as a box.
 
 // Returns the width of a text.
 [[nodiscard]] double width_of_text(std::string_view text, double capitals) noexcept;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Makes a line set in four steps: list the lines that are found once; join the edges of a mesh to polylines, if the
-// model has no creases; decide where the surface ends; let the library find the lines.
+// Makes a line set in four steps. First, the view-independent lines are listed; they are found only once, when the line
+// set is made. Second, the limit of support is chosen, at which the surface ends. Third, the sharp edges of a mesh are
+// joined to polylines; they are used unless the model has its own creases. Fourth, the library finds the lines.
 #include "picture/lines.h"
 
 #include "base/assert.h"
@@ -36,13 +37,13 @@ hrbfnpr_line_desc LinesOnce::view() const noexcept {
 
 namespace {
 
-// The sharp edges of a mesh, each stored as one of its two sides.
+// The sharp edges of a mesh. Each edge is stored once, directed from its vertex with the lower index.
 struct SharpEdges {
     struct Edge {
-        std::int64_t from, to; // the numbers of the two places that the side connects
+        std::int64_t from, to; // The indices in `places` of the two ends of the edge.
     };
     Points places;
-    Vector<Edge> edges; // the sharp edges, in the order of the faces' lists
+    Vector<Edge> edges; // The edges, in the order of the mesh's triangles.
 };
 
 double diagonal_of_points(const Points& points) noexcept {
@@ -104,14 +105,14 @@ SharpEdges sharp_edges(hrbfnpr_context& context, const Shape& shape, double angl
     return found;
 }
 
-// For each vertex, the edges that meet there. The vertices of edges are numbered from 0, in the order in which the
-// edges list them.
+// For each vertex of a sharp edge, the edges that meet at the vertex. The vertices are numbered from 0, in the order in
+// which they first occur in the list of edges.
 struct EdgeGraph {
     struct Way {
         std::size_t to;   // The vertex at the other end.
-        std::size_t edge; // The number of the edge.
+        std::size_t edge; // The index of the edge.
     };
-    Vector<std::int64_t> place; // The place of each vertex.
+    Vector<std::int64_t> place; // The index of each vertex in SharpEdges::places.
     Vector<std::size_t> first;  // The index in `ways` where the list of each vertex begins, and the size of `ways`.
     Vector<Way> ways;
 
@@ -150,8 +151,8 @@ EdgeGraph graph_of_edges(const Vector<SharpEdges::Edge>& edges, std::size_t plac
     return graph;
 }
 
-// Joins consecutive edges to lines. Each edge is used once. Lines that begin at a vertex where one edge ends, or more
-// than two edges meet, come first.
+// Joins consecutive edges to polylines. Each edge is used once. Polylines that begin at a vertex of one edge, or of
+// more than two edges, come first.
 Vector<Polyline> join_edges(const EdgeGraph& graph, std::size_t edge_count, const Points& places, Pool& pool) {
     Vector<bool> is_left(edge_count, true, &pool);
     Vector<Polyline> lines(&pool);
@@ -250,8 +251,8 @@ LinesOnce lines_of_settings(const hrbfnpr_line_desc& of_file, Pool& pool) {
     return lines;
 }
 
-// Returns the creases of a mesh as lines named "crease". If the caller names no lines, the facets of rounded shapes are
-// removed.
+// Returns the creases of a mesh as lines named "crease". If the caller names no lines, the short creases between the
+// facets of rounded shapes are removed.
 LinesOnce edges_of_mesh(const Call& call, const Shape& shape, hrbfnpr_operation* operation) {
     Vector<Polyline> found = mesh_creases(call.context, shape, lines_tuning.crease_angle, operation, call.pool);
     if (call.options.desc.lines == nullptr) found = without_facets(std::move(found), diagonal_of_points(shape.points));
@@ -265,8 +266,9 @@ LinesOnce edges_of_mesh(const Call& call, const Shape& shape, hrbfnpr_operation*
     return lines;
 }
 
-// Returns the support below which the line set ends the surface for lack of samples. It is 0, which means no end,
-// unless the border is wanted. A trimmed model already has a border and needs no limit.
+// Returns the limit of support for a line set: the surface ends where the support is below the limit. The limit is 0 if
+// no border lines are wanted; the surface then does not end for lack of samples. The limit is also 0 for a trimmed
+// model, which already has a border.
 double support_of_lines(const hrbfnpr_model& model, const Vector<WantedLine>& wanted) {
     auto trim = defaults<hrbfnpr_trim_info>(hrbfnpr_trim_info_init);
     call([&](hrbfnpr_error* error) { return hrbfnpr_model_get_trim_info(&model, &trim, error); });

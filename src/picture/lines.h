@@ -35,17 +35,18 @@ struct LinesOnce {
     // For OWN: the index in `points` where each polyline begins, and the size of `points`.
     Vector<std::uint32_t> line_first;
 
-    // Returns a view, which is valid until this object changes or is destroyed.
+    // Returns a descriptor that points to the contents of this object. It is valid until this object changes or is
+    // destroyed.
     [[nodiscard]] hrbfnpr_line_desc view() const noexcept;
 };
 
-// Returns the lines that are found once, except those of a plate and the edges of a mesh. If the caller names no lines
-// and the settings have some, they come from the settings, else from `wanted`.
+// Returns the lines that are found once, except the lines of a plate and the edges of a mesh. The lines come from the
+// settings if the settings have lines and the caller names none. Otherwise they come from `wanted`.
 [[nodiscard]] Vector<LinesOnce> lines_found_once(const Call& call, const hrbfnpr_model& model,
                                                  const Vector<WantedLine>& wanted);
 
 // Makes the line set for the lines of a style and for `more` lines, such as the section of a plate. Returns a null
-// handle if no line needs it.
+// handle if the picture needs no line set.
 [[nodiscard]] LineSet make_lines(const Call& call, const Surface& surface, const Style& style,
                                  const Vector<WantedLine>& wanted, const Vector<LinesOnce>& more);
 
@@ -55,7 +56,8 @@ struct LinesOnce {
 [[nodiscard]] Vector<Polyline> mesh_creases(hrbfnpr_context& context, const Shape& shape, double angle,
                                             hrbfnpr_operation* operation, Pool& pool);
 
-// Removes the facets of a rounded shape: if the creases are short on average, only long creases are kept.
+// Removes the creases between the facets of a rounded shape: if the creases are short on average, only long creases are
+// kept.
 [[nodiscard]] Vector<Polyline> without_facets(Vector<Polyline> creases, double diagonal);
 
 // Warns if lines in a drawing may be wrong or incomplete.

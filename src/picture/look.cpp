@@ -100,9 +100,10 @@ LookAxes axes_of_view(const glm::dvec3& up) noexcept {
     return {upward, front, glm::cross(upward, front)};
 }
 
-// ---- Marks as points
+// ---- Positions and normals of marks
 
-// Appends an attribute with three 32-bit numbers for all marks, and adds `origin` to each.
+// Appends the values of an attribute for all marks. Each value has three 32-bit numbers, and `origin` is added to each
+// value.
 void append_attribute(Points& to, const PointSet& marks, std::uint32_t attribute, const glm::dvec3& origin) {
     auto info = defaults<hrbfnpr_point_set_info>(hrbfnpr_point_set_info_init);
     call([&](hrbfnpr_error* error) { return hrbfnpr_point_set_get_info(marks.get(), &info, error); });
@@ -131,7 +132,7 @@ glm::dvec3 mean_of_normals(const PointSet& marks, Pool& pool) {
     return glm::dvec3(sum / static_cast<float>(normals.size()));
 }
 
-// ---- The frame
+// ---- The frame of the picture
 
 // The bounding box of places in a picture, in coordinates from -1 to 1.
 struct SeenExtent {
@@ -162,7 +163,7 @@ hrbfnpr_camera framed_camera(const hrbfnpr_camera& camera, const View& view, Eac
     if (!seen.is_finite || !(seen.low.x <= seen.high.x))
         fail(Status::invalid_argument, "the camera sees nothing: there are no places, or some are not finite");
     const glm::dvec2 old(camera.viewport[2], camera.viewport[3]);
-    // In pixels of the old picture.
+    // The width and height of `seen`, in pixels of the picture before cropping.
     const glm::dvec2 extent = glm::max((seen.high - seen.low) / 2.0 * old, look_tuning.least_extent);
     std::int32_t width = view.width;
     std::int32_t height = view.height;
@@ -262,7 +263,7 @@ CameraMatrix rotation_about(const glm::dvec3& axis, const glm::dvec3& centre, do
 
 } // namespace
 
-// ---- Marks as points
+// ---- Positions and normals of marks
 
 Probe probe(const Call& call, const Model& model) {
     auto layer = defaults<hrbfnpr_layer_desc>(hrbfnpr_layer_desc_init);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Chooses the camera and the size of a picture.
 //
-// The camera looks along a direction, from a distance at which it sees the box of the source. Then the picture is
-// cropped to where points of the surface are. The picture of a camera at the caller's eye is not cropped.
+// The camera looks along a direction, from a distance at which it sees the whole box of the source. Then the picture is
+// cropped to the points of the surface. If the caller gives the eye, the picture is not cropped.
 #pragma once
 
 #include "picture/call.h"
@@ -11,7 +11,7 @@
 
 namespace hrbfnpr::picture {
 
-// ---- Marks as points
+// ---- Positions and normals of marks
 
 // A few marks spread evenly over a model. They show its area and its position.
 struct Probe {
@@ -41,21 +41,22 @@ struct Probe {
 // The options of a camera. Options without a value are chosen later.
 struct View {
     std::optional<hrbfnpr_camera> camera; // If set, this camera is used unchanged, and the other members are ignored.
-    std::optional<double> azimuth;        // in degrees, from the front to the right
+    std::optional<double> azimuth;        // in degrees; 0: the eye is in front; 90: it is on the right
     std::optional<double> elevation;      // in degrees above the horizon
     // The direction from the eye into the scene. It replaces azimuth and elevation.
     std::optional<glm::dvec3> direction;
     std::optional<glm::dvec3> eye;    // The position of the eye. It replaces `direction`.
     std::optional<glm::dvec3> target; // The place that the eye looks at.
     std::optional<double> fov;        // the vertical angle of view in degrees; 0: orthographic
-    double margin = 0.0;              // the empty share of the picture on each side
+    double margin = 0.0;              // the share of the picture's width or height that is empty on each side
     glm::dvec3 up{0.0, 1.0, 0.0};
-    std::int32_t width = 0; // The width in pixels. If 0, `size` and the object decide.
+    // The width in pixels. If it is 0, width and height follow from `size` and the extent of the object.
+    std::int32_t width = 0;
     std::int32_t height = 0;
     std::int32_t size = 0; // The longer side of the picture, in pixels.
 };
 
-// Reads the camera's options from the options of the picture and their settings.
+// Reads the options of the camera from the options of the picture, which include the settings.
 [[nodiscard]] View view_of(const Options& options, const glm::dvec3& up);
 
 // Returns a camera that sees all of the places. `bounds` is the box of the source. Archaeological finds (`is_find`) are
@@ -63,8 +64,8 @@ struct View {
 [[nodiscard]] hrbfnpr_camera camera_for(const View& view, const geometry::Bounds& bounds, const Points& places,
                                         bool is_find);
 
-// Returns the direction from the eye into the scene. Azimuth 0 looks from the front: +z, or -y if z is up. The angles
-// are in degrees.
+// Returns the direction from the eye into the scene. At azimuth 0, the eye is in front of the scene: on the +z side, or
+// on the -y side if z is up. The angles are in degrees.
 [[nodiscard]] glm::dvec3 direction_of_view(const glm::dvec3& up, double azimuth, double elevation) noexcept;
 // Returns the azimuth, in degrees from 0 to 360, from which the camera sees a surface that faces this direction.
 [[nodiscard]] double azimuth_of(const glm::dvec3& up, const glm::dvec3& direction) noexcept;
@@ -79,15 +80,15 @@ void look_at_front(const Call& call, View& view, const Shape* shape, std::span<c
 // Returns the position of a point in the clip space of a camera.
 [[nodiscard]] glm::dvec4 clip_place(const hrbfnpr_camera& camera, const glm::dvec3& place) noexcept;
 
-// Returns the length in pixels of a unit of length across the view, at a given place.
+// Returns the length in pixels of one world unit at a given place, measured perpendicular to the camera's axis.
 [[nodiscard]] double pixels_per_unit(const hrbfnpr_camera& camera, const glm::dvec3& place) noexcept;
 
 // ---- Orbits
 
-// Returns the centre of an orbit: the target if the eye is given, else the middle of the box.
+// Returns the centre of an orbit: the target if both eye and target are given, else the middle of the box.
 [[nodiscard]] glm::dvec3 orbit_centre(const View& view, const geometry::Bounds& bounds) noexcept;
-// Returns the camera of the first frame of an orbit. Its picture is large enough for all frames. `turn` is the angle of
-// the whole orbit in degrees.
+// Returns the camera of the first frame of an orbit. Its picture is cropped so that the places stay inside it in all
+// frames. `turn` is the angle of the whole orbit in degrees.
 [[nodiscard]] hrbfnpr_camera first_camera(const View& view, const geometry::Bounds& bounds, const Points& places,
                                           double turn, std::int32_t frames, bool is_find);
 // Returns the camera turned by an angle in degrees about an axis through a centre.
