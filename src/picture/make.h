@@ -11,14 +11,14 @@ namespace hrbfnpr::picture {
 // Creates a picture of the sources in a descriptor. The caller owns one reference to the result of each function here.
 [[nodiscard]] hrbfnpr_picture* create_picture(hrbfnpr_context& context, const hrbfnpr_picture_desc& desc,
                                               hrbfnpr_operation* operation);
-// Creates another picture of the same surfaces.
+// Creates a picture of the surfaces of the picture `of`, as the descriptor asks.
 [[nodiscard]] hrbfnpr_picture* restyle_picture(const hrbfnpr_picture& of, const hrbfnpr_picture_desc& desc,
                                                hrbfnpr_operation* operation);
-// Draws a picture. If `camera` is null, the picture's planned camera is used; then the camera must see something.
+// Draws a picture. If `camera` is null, uses the picture's planned camera, and throws if nothing can be seen.
 [[nodiscard]] hrbfnpr_drawing* draw_picture(hrbfnpr_picture& picture, const hrbfnpr_camera* camera,
                                             hrbfnpr_operation* operation);
 
-// Throws Error{invalid_argument} if the picture has only surfaces, and no plan.
+// Throws Error{invalid_argument} if the picture was made with the flag SURFACE_ONLY, and so has no plan for a drawing.
 void require_planned(const hrbfnpr_picture& picture);
 
 // Returns the number of marks in all layers, or 0 for null.

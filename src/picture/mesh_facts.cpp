@@ -83,7 +83,7 @@ std::int64_t count_repeated(Vector<Triangle> faces) {
     return faces.end() - std::unique(faces.begin(), faces.end());
 }
 
-// Returns whether a side of a face goes from its lower vertex to its higher one.
+// Returns whether a half-edge of a face goes from its vertex with the lower index to its vertex with the higher index.
 bool goes_up(const FaceEdges& edges, const Vector<Triangle>& faces, std::int64_t side) noexcept {
     const auto k = static_cast<std::size_t>(side / edges.faces);
     const Triangle& face = faces[edges.face(side)];
@@ -113,14 +113,15 @@ std::int32_t as_vertex(std::int64_t i) noexcept { return static_cast<std::int32_
 std::int64_t count_loops(const Vector<Edge>& border, std::size_t vertices, Pool& pool) {
     mesh::UnionFind joined(pool.memory(), static_cast<std::int64_t>(vertices));
     for (const Edge& edge : border) joined.join(as_vertex(edge[0]), as_vertex(edge[1]));
-    // The name of a loop is one of its vertices.
+    // A loop is identified by the index of one of its vertices.
     Vector<std::int64_t> names(&pool);
     for (const Edge& edge : border) names.push_back(joined.find(as_vertex(edge[0])));
     std::sort(names.begin(), names.end());
     return std::unique(names.begin(), names.end()) - names.begin();
 }
 
-// Sums six times the volume of each part: the volumes of the tetrahedra between its faces and a middle point.
+// Counts the parts, and finds the volume of the mesh and of each part. For each face, adds six times the volume of the
+// tetrahedron between the face and a middle point.
 void look_at_parts(const JoinedMesh& mesh, const Vector<Edge>& border, MeshFacts& facts, Pool& pool) {
     mesh::UnionFind joined(pool.memory(), static_cast<std::int64_t>(mesh.places.size()));
     for (const Triangle& face : mesh.faces) {
@@ -128,7 +129,7 @@ void look_at_parts(const JoinedMesh& mesh, const Vector<Edge>& border, MeshFacts
         joined.join(as_vertex(face[1]), as_vertex(face[2]));
     }
     constexpr std::int64_t none = -1;
-    // The number of each part; its index is the vertex that names the part.
+    // For the vertex that represents a part: the index of the part. For all other vertices: `none`.
     Vector<std::int64_t> part_of(mesh.places.size(), none, &pool);
     const auto part_at = [&](std::int64_t vertex) -> std::int64_t& {
         return part_of[static_cast<std::size_t>(joined.find(as_vertex(vertex)))];
@@ -148,7 +149,7 @@ void look_at_parts(const JoinedMesh& mesh, const Vector<Edge>& border, MeshFacts
     const double volume = sum_in_pairs(volumes);
     facts.inside_out = facts.closed && volume < 0.0;
     facts.volume = facts.closed ? volume : 0.0;
-    // An open part has no volume.
+    // The volume of a part with a border counts as 0.
     for (const Edge& edge : border) volumes[static_cast<std::size_t>(part_at(edge[0]))] = 0.0;
     facts.components_inside_out = std::count_if(volumes.begin(), volumes.end(), [](double v) { return v < 0.0; });
 }

@@ -52,7 +52,7 @@ bool edges_are_as_given(const Options& options) noexcept {
 
 bool keeps_faces(const Options& options) noexcept { return options.desc.normals == HRBFNPR_NORMALS_GIVEN; }
 
-// Returns the caller's wishes for a mesh with this diagonal.
+// Returns the caller's options for a mesh. `across` is the diagonal of the mesh.
 mesh::MeshOptions wishes_of(const Options& options, double across) {
     mesh::MeshOptions wishes;
     wishes.edges_as_given = edges_are_as_given(options);
@@ -115,7 +115,7 @@ void sample_mesh(const Mesh& mesh, const hrbfnpr_sample_desc& desc, Points& poin
     });
 }
 
-// ---- The mesh that was looked at
+// ---- The prepared mesh
 
 // A mesh after prepare_mesh(), with its shape and evenly spread samples.
 struct PreparedMesh {
@@ -169,7 +169,7 @@ void tell_mesh_repairs(const Call& call, const hrbfnpr_mesh_info& info) {
                          "not help."});
 }
 
-// Removes the faces with the given numbers from a mesh, and welds the rest again.
+// Removes the faces with the given indices from a mesh, and welds the remaining faces again.
 void leave_out_faces(const Call& call, const FaceNumbers& which, Mesh& mesh, Shape& shape,
                      hrbfnpr_operation* operation) {
     const Vector<std::int32_t> given = numbers_of(mesh, HRBFNPR_MESH_ATTRIBUTE_GIVEN_FACE, call.pool);
@@ -182,7 +182,7 @@ void leave_out_faces(const Call& call, const FaceNumbers& which, Mesh& mesh, Sha
     mesh = welded_mesh(call, shape.points, shape.triangles, operation);
 }
 
-// The numbers of removed faces: in lost parts, and leftover ones.
+// Counts of removed elements: parts far away, the faces of these parts, and leftover faces.
 struct LeftOutParts {
     std::int64_t far_parts = 0, far_faces = 0, flaps = 0;
 };
@@ -248,14 +248,15 @@ struct DivisionResult {
 
     mesh::CoarsePlan plan;
     bool by_file = false; // True if the normals of the file mark some edges as sharp.
-    double moved = 0.0;   // the farthest distance that a vertex moved, in diagonals
-    double raised = 0.0;  // the farthest distance that a place between vertices moved, in diagonals
+    double moved = 0.0;   // the largest distance that a vertex was moved, in diagonals
+    // The largest distance of a new vertex from the plane of the given face that it lies on, in diagonals.
+    double raised = 0.0;
     // The coarseness before the division. It is negative if it was not measured, because the options ask for division.
     double coarseness = -1.0;
 };
 
-// Returns whether a fit keeps some edges sharp, as on machine parts and polyhedra. If a plan for the whole mesh has no
-// creases, a rough fit may still find creases on some parts.
+// Returns whether a fit keeps some edges of the mesh sharp, as on machine parts and polyhedra. If the mesh itself has
+// no creases, a rough fit shows whether some of its parts have creases.
 bool has_creases(const Mesh& mesh, const base::Progress& progress) {
     if (info_of(mesh).creases != 0) return true;
     const hrbfnpr_mesh& made = *mesh.get();
@@ -271,7 +272,7 @@ double farthest_moved(const Points& from, const Points& to) noexcept {
     return most;
 }
 
-// Divides the faces of a welded mesh as planned, and checks the result.
+// Divides the faces of a welded mesh according to `plan`, and checks the result.
 DivisionResult divide(const Call& call, const Shape& welded, const mesh::CoarsePlan& plan, mesh::EdgesInFile said,
                       const mesh::MeshOptions& wishes, Shape& finer, const base::Progress& progress) {
     Pool& pool = call.pool;
@@ -440,8 +441,8 @@ struct MeshGroup {
     std::shared_ptr<const Shape> shape;
 };
 
-// Returns whether the mesh may be split into several surfaces. It may not if the caller asks for one surface or for a
-// plate, which shows one surface.
+// Returns whether the mesh may be split into several surfaces. It is not split if the caller asks for one surface, or
+// for a plate, which shows one surface.
 bool may_be_apart(const Options& options) {
     const bool wants_one = options.has(HRBFNPR_PICTURE_TOGETHER) || options.has(HRBFNPR_PICTURE_CLOSE) ||
                            options.has(HRBFNPR_PICTURE_SURFACE_ONLY) || options.is_find() ||
@@ -455,7 +456,7 @@ MeshGroup group_of_faces(const Call& call, const Mesh& mesh, const Shape& whole,
     Pool& pool = call.pool;
     const Points vertices = vertices_of(mesh, pool);
     const Vector<Triangle> triangles = triangles_of(mesh, pool);
-    Vector<std::int64_t> number(vertices.size(), -1, &pool); // the new number of each vertex that is used, else -1
+    Vector<std::int64_t> number(vertices.size(), -1, &pool); // for each vertex: its new index, or -1 if no face uses it
     for (const std::int64_t face : faces)
         for (const std::int64_t corner : triangles[static_cast<std::size_t>(face)])
             number[static_cast<std::size_t>(corner)] = 0;
@@ -517,7 +518,7 @@ hrbfnpr_mesh_fit_desc fit_of_mesh(const Options& options, const Shape& shape, bo
     return desc;
 }
 
-// Returns those options of a fit to samples that a fit to a mesh has as well.
+// Returns options of a fit to samples, but only those that also apply to a fit to a mesh.
 hrbfnpr_fit_desc solver_of_mesh(const Options& options, bool ends) {
     const hrbfnpr_fit_desc wanted = wanted_fit(options);
     auto desc = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
@@ -532,12 +533,11 @@ hrbfnpr_fit_desc solver_of_mesh(const Options& options, bool ends) {
 
 // The advice for a fit that did not reach its tolerance.
 struct Remedy {
-
-    // Returns advice for the case that a fit does not reach its tolerance.
     String text;
     const char* detail = "";
 };
 
+// Returns the advice for a fit that did not reach its tolerance.
 Remedy remedy_of_shortfall(const Call& call, const hrbfnpr_mesh_fit_info& done) {
     const Options& options = call.options;
     std::int64_t most = options.desc.maximum_centres > 0 ? options.desc.maximum_centres : mesh_tuning.most_centres;
@@ -632,7 +632,7 @@ mesh::EndPlan end_plan_of(const Model& model, const hrbfnpr_mesh_info& mesh,
     return mesh::plan_end_of_picture(facts, may_end);
 }
 
-// Warns if the fit of a closed mesh made extra surface that is removed.
+// Warns if the fit of a closed mesh made surface where the mesh has none. This surface is removed.
 void tell_made_by_fit(const Call& call, const Model& ended, bool of_sheets) {
     const hrbfnpr_trim_info info = trim_info_of(ended);
     if (!(info.share > mesh_tuning.doubted_share)) return;
@@ -646,8 +646,8 @@ void tell_made_by_fit(const Call& call, const Model& ended, bool of_sheets) {
                                count_of(info.parts, "part", call.pool).c_str(), remedy.c_str()));
 }
 
-// Returns the model without surface beyond the mesh, unless the caller wants it closed. If the mesh is closed, such
-// surface was made by the fit.
+// Returns the model without the surface that lies beyond the mesh, unless the caller wants a closed surface. If the
+// mesh is closed, only the fit can have made surface beyond it.
 Model end_of_mesh(const Call& call, const Model& model, const Mesh& mesh,
                   const std::optional<hrbfnpr_mesh_fit_info>& fit) {
     const hrbfnpr_mesh_info info = info_of(mesh);
@@ -669,7 +669,8 @@ Model end_of_mesh(const Call& call, const Model& model, const Mesh& mesh,
     return ended;
 }
 
-// Makes the surface of a group. `looked` has samples of the whole mesh, for a fit that does not choose its samples.
+// Makes the surface of a group. If the fit does not choose its samples, it uses the samples of `looked`, which are
+// spread over the whole mesh.
 Surface surface_of_group(const Call& call, MeshGroup&& group, const PreparedMesh& looked, double across) {
     Surface surface;
     if (chooses_samples(call.options)) {

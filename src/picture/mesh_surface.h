@@ -8,8 +8,8 @@
 namespace hrbfnpr::picture {
 
 // Fits one surface to each group of parts, usually to a single group. The group with the largest area comes first.
-// `shape` is a mesh that leave_out_unusable() has cleaned. `up` is the direction in the options, or receives the one
-// that is found.
+// `shape` is a mesh that leave_out_unusable() has cleaned. `up` receives the up direction: the direction in the
+// options, or else the direction that choose_up() finds.
 [[nodiscard]] Vector<Surface> fit_mesh(const Call& call, Shape&& shape, glm::dvec3& up);
 
 } // namespace hrbfnpr::picture

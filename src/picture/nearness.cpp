@@ -13,9 +13,9 @@ namespace {
 template <class Found>
 String distances_of(const Found& found, double diagonal, Pool& pool) {
     const auto share = [&](double distance) { return percent_of(distance / diagonal, 2, pool); };
-    // If no surface is found near some places of the mesh, the distance is infinite.
+    // NaN means that no surface was found near the mesh.
     if (std::isnan(found.surface_p99)) return {"no surface near the mesh", &pool};
-    // For some places of the mesh no surface may be found at all.
+    // Infinity means that more than 1 % of the mesh has no surface near it.
     if (!std::isfinite(found.mesh_p99)) return {"parts of the mesh have no surface near them", &pool};
     String words = formatted(pool, "99%% of surface and mesh are within %s of the diagonal of each other, ",
                              share(std::max(found.surface_p99, found.mesh_p99)).c_str());

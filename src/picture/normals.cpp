@@ -47,11 +47,11 @@ glm::dvec3 mean_point(const Points& points) noexcept {
 struct NormalSamples {
     Points points;
     Points normals;
-    Vector<double> spacing; // for each sample: the distance to its last neighbour
+    Vector<double> spacing; // for each sample: the distance to the farthest of its neighbours
     Vector<double> area;
 };
 
-// Returns the winding number of the samples at a place. The solid angle of one sample is limited to half of the view.
+// Returns the winding number of the samples at a place. The solid angle of each sample is limited to a hemisphere.
 double winding_number(const glm::dvec3& place, const NormalSamples& samples) noexcept {
     double sum = 0.0;
     for (std::size_t j = 0; j < samples.points.size(); ++j) {
@@ -89,8 +89,8 @@ double share_outside_in(const Vector<double>& sums) noexcept {
     return telling / static_cast<double>(sums.size()) > normals_tuning.telling_share ? negative / telling : 0.0;
 }
 
-// Sets look.against, the share of normals that are opposite to most neighbours on the same sheet, and look.flipped, an
-// estimate from the share of opposite pairs.
+// Sets look.against, the share of normals that are opposite to most neighbours on the same sheet. Sets look.flipped,
+// the share of flipped normals, as estimated from the share of neighbours with opposite normals.
 void compare_neighbours(const NormalSamples& samples, const geometry::Neighbours& near, NormalsLook& look) noexcept {
     const std::size_t count = samples.points.size();
     std::int64_t against = 0;
@@ -109,7 +109,7 @@ void compare_neighbours(const NormalSamples& samples, const geometry::Neighbours
                 ++beside;
                 opposed_beside += opposed ? 1 : 0;
             }
-            // A neighbour so close to the sample's plane is certainly on the same sheet.
+            // A neighbour this near to the sample's tangent plane is certainly on the same sheet as the sample.
             if (height < normals_tuning.level_height * length) {
                 ++level_pairs;
                 opposed_pairs += opposed ? 1 : 0;

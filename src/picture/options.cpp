@@ -204,8 +204,8 @@ bool gives_view(const hrbfnpr_picture_desc& desc) noexcept {
            !std::isnan(desc.eye[0]) || !std::isnan(desc.target[0]) || !std::isnan(desc.fov) || !std::isnan(desc.margin);
 }
 
-// Sets the size of the picture. If the caller gives only the longer side, the aspect ratio is that of the settings, if
-// they have a size.
+// Sets the size of the picture. If the caller gives only the longer side, and the settings have a size, the picture has
+// the aspect ratio of that size.
 void set_size(hrbfnpr_picture_desc& desc, const std::array<std::int32_t, 2>& known) noexcept {
     if (desc.width > 0) return;
     const double scale =

@@ -29,7 +29,7 @@ hrbfnpr_picture_page_desc defaults() noexcept {
 namespace hrbfnpr::picture {
 namespace {
 
-// Returns whether a scale bar or section is beside the drawing. Point sets without a model have neither.
+// Returns whether the picture has a scale bar or a section beside the drawing. A point set without a model has neither.
 bool has_plate(const hrbfnpr_picture& picture) { return !picture.surfaces().list.empty() && is_plate(picture.options); }
 
 // Returns the plate for a drawing. It refers to the camera, the unit and the section, which must outlive it.

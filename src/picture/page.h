@@ -59,7 +59,8 @@ struct DrawnPoint {
 // The points of all strokes, stroke by stroke, from the farthest to the nearest.
 struct DrawnStrokes {
     Vector<DrawnPoint> points;
-    Vector<std::size_t> first; // The index in `points` where each stroke begins, and the number of points.
+    // For each stroke, the index of its first point in `points`. One more element has the number of points.
+    Vector<std::size_t> first;
 };
 [[nodiscard]] DrawnStrokes drawn_strokes(const hrbfnpr_drawing& drawing, Pool& pool);
 [[nodiscard]] Vector<DrawnPoint> drawn_dots(const hrbfnpr_drawing& drawing, Pool& pool);
@@ -71,12 +72,12 @@ struct DrawnStrokes {
 [[nodiscard]] String page_metadata(std::string_view input, std::string_view style, std::span<const Model> models,
                                    std::int64_t marks, const hrbfnpr_camera& camera, Pool& pool);
 
-// Returns the size of an upright paper in mm. `name` is "a0" to "a6", "letter", "legal", "tabloid", or WIDTHxHEIGHT.
-// Throws Error{invalid_argument} that lists the valid names.
+// Returns the size of a paper in portrait format, in mm. `name` is "a0" to "a6", "letter", "legal", "tabloid", or
+// WIDTHxHEIGHT. Throws Error{invalid_argument} that lists the valid names.
 [[nodiscard]] glm::dvec2 paper_size(std::string_view name, const Report& report);
 
-// Writes a page with the content, as hrbfnpr_page_write does, by all fields of the descriptor. `info` and `operation`
-// may be NULL. Reports the chosen pens and the work of a plotter in notes.
+// Writes `content` as a page by hrbfnpr_page_write, with all fields of the descriptor. `info` and `operation` may be
+// NULL. Reports the chosen pens and the work of a plotter in notes.
 void write_picture_page(hrbfnpr_context& context, Report& report, const PageContent& content,
                         const hrbfnpr_picture_page_desc& desc, const char* title, const char* metadata,
                         hrbfnpr_write_fn write, void* user, hrbfnpr_page_info* info, hrbfnpr_operation* operation);

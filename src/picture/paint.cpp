@@ -32,7 +32,7 @@ double dab_weight(const hrbfnpr_dab& dab, const glm::dvec3& place, const glm::dv
     return dab.strength * (1.0 - share) * (1.0 - share);
 }
 
-// Cell indices are clamped to this magnitude. All places beyond share a cell, which only costs time.
+// Cell indices are clamped to this magnitude. Places that are farther away share cells, which only costs time.
 constexpr double farthest_paint_cell = 1e9;
 
 std::int64_t paint_cell_along(double place, double side) noexcept {
@@ -41,7 +41,8 @@ std::int64_t paint_cell_along(double place, double side) noexcept {
     return static_cast<std::int64_t>(std::min(cell, farthest_paint_cell));
 }
 
-// Returns a hash of a cell. Two cells with one hash only cost time, because a dab has no weight beyond its radius.
+// Returns a hash of a cell. If two cells have the same hash, this only costs time, because a dab has no weight outside
+// its radius.
 std::uint64_t paint_cell_number(std::int64_t x, std::int64_t y, std::int64_t z) noexcept {
     return static_cast<std::uint64_t>(x) * 73856093U ^ static_cast<std::uint64_t>(y) * 19349663U ^
            static_cast<std::uint64_t>(z) * 83492791U;
@@ -81,7 +82,7 @@ struct HeldPaint {
         : pool(memory), tone{PaintedMap(dabs, map, pool)} {}
 
     Pool pool;
-    PaintedTone tone; // Maps other than the tone use only the member `map`.
+    PaintedTone tone; // Maps of density and direction use only the member `map`.
 };
 
 std::shared_ptr<HeldPaint> held_paint(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, const Pool& pool) {
@@ -117,7 +118,7 @@ PaintedMap::PaintedMap(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, Poo
         return a.cell != b.cell ? a.cell < b.cell : a.dab < b.dab;
     };
     std::sort(cells_.begin(), cells_.end(), order);
-    // Two cells of one dab may share a hash, but the dab must be listed once.
+    // Two cells that a dab overlaps may have the same hash. The dab must be listed only once for this hash.
     const auto same = [](const CellDab& a, const CellDab& b) { return a.cell == b.cell && a.dab == b.dab; };
     cells_.erase(std::unique(cells_.begin(), cells_.end(), same), cells_.end());
 }
@@ -145,7 +146,7 @@ glm::dvec3 PaintedMap::direction(const glm::dvec3& place, const glm::dvec3& norm
     for (const CellDab& one : near(place)) {
         const hrbfnpr_dab& dab = dabs_[one.dab];
         const glm::dvec3 way = paint_vec(dab.direction);
-        // Line directions have no sign, so opposite ones are added in the same sense.
+        // Line directions have no sign. So a direction that is opposite to the sum is reversed before it is added.
         const double sign = paint_dot(total, way) < 0.0 ? -1.0 : 1.0;
         const double weight = dab_weight(dab, place, normal);
         total = (1.0 - weight) * total + (weight * sign) * way;

@@ -22,7 +22,7 @@ public:
     // Takes the elements of `dabs` that belong to this map (HRBFNPR_DAB_*).
     PaintedMap(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, Pool& pool);
     PaintedMap(PaintedMap&&) noexcept = default;
-    PaintedMap(const PaintedMap&) = delete; // A copy would leave the pool.
+    PaintedMap(const PaintedMap&) = delete; // A copy would allocate outside the pool.
     PaintedMap& operator=(const PaintedMap&) = delete;
     ~PaintedMap() = default;
 
@@ -64,8 +64,8 @@ std::int32_t painted_density(void* user, std::int64_t count, const double* posit
 std::int32_t painted_direction(void* user, std::int64_t count, const double* positions, const double* normals,
                                double* directions) noexcept;
 
-// Makes a style and layers of marks use painted maps, which they then hold. `camera` gives the direction of a light
-// that moves with the camera. Throws Error{invalid_argument} if a light has no direction.
+// Makes a style and layers of marks use painted maps, and keep these maps alive. `camera` gives the direction of a
+// light that moves with the camera. Throws Error{invalid_argument} if a light has no direction.
 void set_paint(std::span<const hrbfnpr_dab> dabs, const hrbfnpr_camera& camera, Style& style, Marks& marks, Pool& pool);
 
 } // namespace hrbfnpr::picture

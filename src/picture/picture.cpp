@@ -103,8 +103,8 @@ void probe_surfaces(const Call& call, Surfaces& to) {
 
 bool is_trimmed(const Model& model) { return trim_info_of(model).is_trimmed != 0; }
 
-// Returns a key of everything that the lines of a surface depend on, except the surface. Pictures with equal keys share
-// their line sets.
+// Returns a key with everything on which the lines of a surface depend, except the surface itself. Pictures of the same
+// surfaces share their line sets if their keys are equal.
 String key_of_lines(const Call& call, const Style& style, const Vector<WantedLine>& wanted) {
     String key(&call.pool);
     key += needs_curvature(style) ? "curved" : "plain";
@@ -120,7 +120,8 @@ String key_of_lines(const Call& call, const Style& style, const Vector<WantedLin
     return key;
 }
 
-// Returns the marks and lines of another picture of the same surfaces, if they fit this picture.
+// Looks for a picture of the same surfaces that has the marks and lines that this picture needs. Returns the marks and
+// lines of that picture, or nullopt.
 std::optional<Vector<Part>> find_made_parts(const hrbfnpr_picture& picture, const Marks* marks,
                                             const String* lines_key) {
     const hrbfnpr_picture& root = picture.root();
@@ -133,7 +134,7 @@ std::optional<Vector<Part>> find_made_parts(const hrbfnpr_picture& picture, cons
     return std::nullopt;
 }
 
-// The number of sets of marks and lines that are kept for reuse by pictures of the same surfaces.
+// The largest number of sets of marks and lines that are kept for reuse by pictures of the same surfaces.
 constexpr std::size_t most_made = 24;
 
 void keep_made_parts(const hrbfnpr_picture& picture, MadeParts&& made) {

@@ -43,7 +43,7 @@ ChangedField parts_of_path(std::string_view path) noexcept {
     return {path.substr(0, first), group, path.substr(last + 1)};
 }
 
-// Applies one change of a list to a record. If it changes the field `name`, `keeper` stores the text.
+// Applies `change` to a record. If it sets the field `name` of the record, `keeper` stores the text.
 template <class Struct, class Keeper>
 void apply_one_change(const Change& change, Struct& record, Keeper& keeper, Pool& pool) {
     const hrbfnpr_change given{sizeof given, 0, change.path.c_str(), change.value.c_str()};
@@ -102,7 +102,8 @@ void draw_as_published(Style& style, std::uint32_t preset) noexcept {
             layer.shape = HRBFNPR_SHAPE_DOTS;
             layer.radius = plan_tuning.published_dot;
             layer.share = preset == HRBFNPR_PRESET_FULL ? plan_tuning.published_share_of_full : 1.0F;
-            layer.directions = preset == HRBFNPR_PRESET_HATCH ? 2U : 3U; // With 2, only lines along d2.
+            // 2: only strokes along the direction d2. 3: strokes along both directions.
+            layer.directions = preset == HRBFNPR_PRESET_HATCH ? 2U : 3U;
         }
         if (layer.kind == HRBFNPR_LAYER_KIND_STIPPLES && preset == HRBFNPR_PRESET_FULL)
             layer.radius = layer.share = 1.0F;
@@ -118,7 +119,7 @@ void scale_by_pen(Style& style, double pen) noexcept {
     style.base.halo_width = scaled_number(style.base.halo_width, pen);
 }
 
-// Applies "style.layers.F" to all layers. A share is relative to the marks that the style shows.
+// Applies "style.layers.F" to all layers. A changed share is multiplied by the share that each layer has in the style.
 void change_all_layers(const Call& call, Style& style) {
     const std::optional<double> share = call.options.changes.number("style.layers.share");
     for (hrbfnpr_layer_style& layer : style.layers) {
@@ -131,7 +132,8 @@ void change_all_layers(const Call& call, Style& style) {
     }
 }
 
-// Applies "style.F". The ink of everything is set before the ink of contours, which lines use, too.
+// Applies "style.F". "style.ink" sets the ink of layers, lines and contours. "style.silhouette_ink" is applied after
+// it, and sets the ink of contours and lines.
 void change_style(const Call& call, Style& style) {
     const Changes& changes = call.options.changes;
     changes.apply("style", style.base);
@@ -185,7 +187,8 @@ void change_lines(const Call& call, Style& style) {
 
 struct LayerPlan {
     hrbfnpr_layer_desc desc;
-    bool has_budget; // True if the number of marks is given or already chosen. Otherwise the budget means nothing.
+    // True if the number of marks is given or already chosen. If false, the value of the budget is ignored.
+    bool has_budget;
 };
 
 LayerPlan layer_of_kind(std::uint32_t kind) noexcept {
@@ -200,8 +203,8 @@ const char* name_of_layer(const hrbfnpr_layer_desc& layer) noexcept {
     return layer.name != nullptr ? layer.name : layer_kind_name(layer.kind);
 }
 
-// Returns whether the published recursion makes strokes for a preset. They form one layer with both directions, which
-// replaces the layers of lines in the style.
+// Returns whether the published recursion makes strokes for a preset. These strokes form one layer with both
+// directions, instead of the layers that the preset has otherwise.
 bool has_published_strokes(std::uint32_t preset) noexcept {
     return preset == HRBFNPR_PRESET_HATCH || preset == HRBFNPR_PRESET_CROSS_HATCH || preset == HRBFNPR_PRESET_FULL ||
            preset == HRBFNPR_PRESET_COMBING;
@@ -282,7 +285,7 @@ void set_budget(LayerPlan& layer, std::int64_t budget) noexcept {
     layer.has_budget = true;
 }
 
-// Plans few marks if the style draws only lines. Lines do not need marks to find their hidden parts.
+// Plans few marks if the style draws only lines. The hidden parts of lines are found without marks.
 void thin_unseen(Vector<LayerPlan>& layers, const Style& style) noexcept {
     const bool shows_marks = std::any_of(style.layers.begin(), style.layers.end(),
                                          [](const hrbfnpr_layer_style& layer) { return layer.shown != 0; });
@@ -306,7 +309,7 @@ std::int64_t whole_marks(double wanted) noexcept {
 void note_limited(const Call& call, const hrbfnpr_layer_desc& layer, double wanted) {
     const char* const kind = layer_kind_name(layer.kind);
     const auto made = static_cast<double>(plan_tuning.most_marks);
-    // A layer may have more marks than a picture takes unasked, but not any number. Two digits are enough.
+    // The note proposes the wanted number of marks, rounded up to two digits, unless it is above the limit of a layer.
     const double digit = std::pow(10.0, std::floor(std::log10(wanted)) - 1.0);
     const double rounded = std::ceil(wanted / digit) * digit;
     const String advice = rounded <= plan_tuning.largest_budget
@@ -322,14 +325,14 @@ void note_limited(const Call& call, const hrbfnpr_layer_desc& layer, double want
                           wanted / 1e6, made / 1e6)});
 }
 
-// Plans a layer with even spacing. Unless its number of marks is given, it gets as many as fill the darkest tone.
-// `radius` is the radius of its marks in pixels.
+// Plans a layer with even spacing. If its number of marks is not given, the layer gets as many marks as the darkest
+// tone needs. `radius` is the radius of the marks, in pixels.
 void fill_evenly(const Call& call, LayerPlan& layer, double radius, const Canvas& canvas) {
     const auto [area, pixels, seeds] = canvas;
     hrbfnpr_layer_desc& desc = layer.desc;
     if (desc.kind == HRBFNPR_LAYER_KIND_HATCH) {
-        // The number of lines does not depend on the size of the picture: lines have levels, and small pictures omit
-        // the finest.
+        // The number of lines does not depend on the size of the picture. Each line has a level, and a small picture
+        // omits the lines of the finest levels.
         const bool is_said = (layer.has_budget && desc.budget != 0) || desc.separation != 0.0;
         if (!is_said) desc.separation = std::sqrt(area) / plan_tuning.hatch_lines;
         return;
@@ -341,8 +344,8 @@ void fill_evenly(const Call& call, LayerPlan& layer, double radius, const Canvas
     set_budget(layer, whole_marks(wanted));
 }
 
-// Plans a layer of the published recursion: as many refinement steps as possible, as long as the darkest tone is not
-// too dark.
+// Plans a layer of the published recursion. It gets the largest number of refinement steps with which the darkest tone
+// is not too dark.
 void fill_as_published(const Call& call, LayerPlan& layer, double radius, const Canvas& canvas) {
     hrbfnpr_layer_desc& desc = layer.desc;
     if (desc.levels >= 0) return;
@@ -374,7 +377,7 @@ void fill_layers(const Call& call, Vector<LayerPlan>& layers, const Style& style
 }
 
 // Divides the range of tones evenly among the layers that the style draws, and among the directions of published
-// strokes. Layers that are not drawn only show where the surface is.
+// strokes. A layer that is not drawn gets no range, because its marks only tell where the surface is.
 void take_turns(Pool& pool, Vector<LayerPlan>& layers, const Style& style, bool published) {
     struct Turn {
         std::size_t layer;
@@ -401,7 +404,8 @@ void take_turns(Pool& pool, Vector<LayerPlan>& layers, const Style& style, bool 
     }
 }
 
-// Sets a budget if none is given. The published recursion, and strokes with a separation, are not limited.
+// Removes the limit of the number of marks for the published recursion, and for strokes with a separation, unless a
+// budget is given.
 void set_open_budget(LayerPlan& layer, std::uint32_t distribution) noexcept {
     if (layer.has_budget) return;
     if (distribution == HRBFNPR_DISTRIBUTION_PUBLISHED || says_itself(layer)) layer.desc.budget = 0;
@@ -457,7 +461,7 @@ Marks plan_marks(const Call& call, Style& style, double area, double pixels_per_
     Vector<LayerPlan> layers = are_given ? layers_of_settings(call, marks) : layers_of_style(call);
     change_layers(call, layers, marks);
     if (!are_given) {
-        // Marks are not thinned if they are kept, because another style may draw them.
+        // With the flag KEEP_MARKS, the number of marks is not reduced, because another style may draw them.
         if (!is_published(options) && !options.has(HRBFNPR_PICTURE_KEEP_MARKS)) thin_unseen(layers, style);
         fill_layers(call, layers, style,
                     {area, pixels_per_unit, static_cast<double>(std::max<std::int64_t>(centres, 1))});
@@ -478,7 +482,7 @@ Marks share_of(const Marks& marks, double share) {
     HRBFNPR_ASSERT(!(share < 0.0) && !(share > 1.0));
     Marks part(marks);
     for (hrbfnpr_layer_desc& layer : part.layers) {
-        if (layer.budget <= 0) continue; // A budget of 0 or less means no limit, also for a part.
+        if (layer.budget <= 0) continue; // A budget of 0 or less is no limit, and stays as it is.
         const double wanted = std::nearbyint(share * static_cast<double>(layer.budget));
         layer.budget = wanted >= 1.0 ? static_cast<std::int64_t>(wanted) : 1;
     }

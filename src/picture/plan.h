@@ -10,8 +10,8 @@
 
 namespace hrbfnpr::picture {
 
-// Returns the radius of the pen for a picture, in pixels. Named styles are made for a radius of 1, so they are scaled
-// by it. For a style of the caller, it is 1.
+// Returns the radius of the pen for a picture, in pixels. The lengths in named styles are made for a radius of 1, and
+// are multiplied by the result. For a style of the caller, the result is 1.
 [[nodiscard]] double pen_of(const Call& call, double width, double height);
 
 // Returns the style for a picture: a named style, a style from settings, or the caller's style. Marks and lines are
@@ -22,8 +22,8 @@ namespace hrbfnpr::picture {
 // Plans the layers of marks that the style wants. Where the caller gives no number, the marks fill the darkest tone.
 // Notes the limits that apply, and puts painted maps into the style and the layers.
 //   area             area of the surface, in square units of the model
-//   pixels_per_unit  pixels of a length of 1 across the view at the middle of the model
-//   centres          number of centres of the model, 0 or more; marks of PUBLISHED start from them
+//   pixels_per_unit  length in pixels of a unit of the model at its middle, perpendicular to the line of sight
+//   centres          number of centres of the model, 0 or more; the published recursion starts from centres
 [[nodiscard]] Marks plan_marks(const Call& call, Style& style, double area, double pixels_per_unit,
                                std::int64_t centres, const hrbfnpr_camera& camera);
 

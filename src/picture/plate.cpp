@@ -177,7 +177,7 @@ hrbfnpr_camera camera_of_section(const Plate& plate, const PlateScale& scale, Po
     call([&, &up = up](hrbfnpr_error* error) {
         return hrbfnpr_camera_look_at(&camera, &eye[0], &target[0], &up[0], error);
     });
-    constexpr double near = 0.01; // the distance of the near plane, as a share of the camera's reach
+    constexpr double near = 0.01; // the distance of the near plane, as a share of `reach`
     call([&](hrbfnpr_error* error) {
         return hrbfnpr_camera_orthographic(&camera, height / scale.pixels, width, height, near * reach, 2.0 * reach,
                                            error);
@@ -322,7 +322,7 @@ Vector<std::uint8_t> inside_of_lines(const PlatePixels& part, const Rgba& paper,
     return inside;
 }
 
-// Mixes ink into a share of a pixel. `ink` has values from 0 to 255.
+// Adds ink to a pixel. `cover` is the share of the pixel that the ink covers. `ink` has values from 0 to 255.
 void lay_ink(PlatePixels& part, std::size_t place, double cover, const glm::dvec3& ink) noexcept {
     Rgba& pixel = part.rgba[place];
     const double before = static_cast<double>(pixel[3]) / 255.0;
@@ -397,7 +397,8 @@ double distance_from_segment(const glm::dvec2& place, const Segment& segment) no
     return glm::length(place - segment[0] - at * along);
 }
 
-// Draws a text with round strokes. Over half a pixel on either side of a stroke's rim, the ink fades.
+// Draws a text with round strokes. At the edge of a stroke, the ink fades from half a pixel inside to half a pixel
+// outside.
 void draw_text(PlatePixels& part, std::string_view text, const glm::dvec2& begin, double capitals,
                const glm::dvec3& ink, Pool& pool) {
     const Vector<Segment> strokes = strokes_of_text(text, begin, capitals, pool);
@@ -437,7 +438,8 @@ void draw_bar(PlatePixels& strip, const Plate& plate, const PlateScale& scale, P
     const std::int64_t line = std::max<std::int64_t>(1, rounded_pixel(plate_tuning.bar_line * scale.pen));
     const double left = static_cast<double>(scale.size.x / 2) - bar.pixels / 2.0;
     const std::int64_t top = strip.size.y / 3;
-    const std::int64_t above = scale.size.y; // The strip's pixels have the same rounding as in the whole image.
+    // This height is added before rounding, so that rows are rounded as in the whole image.
+    const std::int64_t above = scale.size.y;
     const std::int64_t bottom = rounded_pixel(static_cast<double>(above + top) + thick) - above;
     for (int i = 0; i < 5; ++i) {
         const double x = left + static_cast<double>(i) * bar.length * scale.pixels / 5.0;

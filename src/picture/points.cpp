@@ -39,7 +39,7 @@ void tell_left_out_strays(const Call& call, std::int64_t count) {
                      " far from all others left out ({outliers=keep} keeps them)");
 }
 
-// Keeps the elements with the given numbers, in the given order.
+// Keeps the elements with the indices in `chosen`, in the order of `chosen`.
 void choose_elements(Points& points, const Vector<std::int64_t>& chosen, Pool& pool) {
     Points some(&pool);
     some.reserve(chosen.size());
@@ -47,7 +47,7 @@ void choose_elements(Points& points, const Vector<std::int64_t>& chosen, Pool& p
     points = std::move(some);
 }
 
-// Returns numbers of points in farthest-first order: each point is the one farthest from those before it.
+// Returns indices of points in farthest-first order: each point is the farthest from all points before it.
 Vector<std::int64_t> farthest_points(const Call& call, Stage& stage, const Points& points, std::size_t count) {
     HRBFNPR_ASSERT(count >= 1 && count <= points.size());
     Vector<std::int64_t> chosen(count, 0, &call.pool);

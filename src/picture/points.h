@@ -25,7 +25,8 @@ void leave_out_unusable(const Call& call, Shape& shape);
 // Warns if the caller gives a viewpoint that has no effect.
 void tell_unused_viewpoint(const Call& call, const Shape& shape);
 
-// Fits a surface to points. `up` is the direction in the options, or receives the one that is found.
+// Fits a surface to points. `up` receives the up direction: the direction in the options, or else the direction that is
+// found.
 [[nodiscard]] Surface fit_points(const Call& call, Shape&& shape, glm::dvec3& up);
 
 // Fits a model to samples, and reports in notes how the fit changed them. `of_points` is true for points that may have

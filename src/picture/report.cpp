@@ -117,7 +117,7 @@ void append_as_argument(String& to, const Marker& marker) {
 
 void append_as_field(String& to, const Marker& marker) {
     const std::size_t equals = marker.value.find('=');
-    if (marker.has_value && equals != std::string_view::npos) { // With this form, `part` names a layer of marks.
+    if (marker.has_value && equals != std::string_view::npos) { // In {name=part=value}, `part` names a layer of marks.
         const std::string_view field = marker.name == "marks" ? "budget" : marker.name;
         ((to += "marks.") += marker.value.substr(0, equals)) += '.';
         ((to += field) += ' ') += marker.value.substr(equals + 1);
@@ -169,7 +169,8 @@ String short_name(std::string_view name, Pool& pool) {
     constexpr std::size_t longest = 24; // bytes
     if (name.size() <= longest) return String(name, &pool);
     std::size_t end = longest - 3;
-    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end; // Keep whole characters.
+    // The cut never divides a UTF-8 character.
+    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end;
     String text(name.substr(0, end), &pool);
     text += "...";
     return text;

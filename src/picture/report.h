@@ -25,7 +25,7 @@ namespace hrbfnpr::picture {
 // Returns a count with its noun: "1 sample", "2 samples", "2 vertices".
 [[nodiscard]] String count_of(std::int64_t count, std::string_view what, Pool& pool);
 
-// Formats like printf, and returns a String.
+// Returns the verb for a count: "has" for 1, else "have".
 [[nodiscard]] constexpr const char* has_or_have(std::int64_t count) noexcept { return count == 1 ? "has" : "have"; }
 
 // Returns a name that a user chose, or as much of it as fits in a note.
@@ -42,8 +42,8 @@ struct Note {
     std::uint32_t figure_count;
     std::array<double, 8> figures;
     String text;
-    String advice; // empty if the text already says what to do
-    String detail; // advice; empty if the text already says what to do
+    String advice; // what the user can do; empty if the text says it
+    String detail; // more about the note, in one or two sentences; may be empty
 };
 
 struct FinishedStage {
@@ -68,8 +68,8 @@ public:
         : notes(&pool), stages(&pool), pool_(&pool), wording_(wording), on_event_(on_event), user_(user),
           context_(&context), operation_(operation) {}
 
-    // Report a note. `text` has the form that in_words() takes. A note and a warning, and the advice on it, have at
-    // most `longest_note` bytes. A repeated warning is reported once.
+    // Each reports an item of information, a note or a warning. `text` has the form that in_words() takes. The text of
+    // a note or warning, and its advice, have at most `longest_note` bytes each. A repeated warning is reported once.
     void info(std::uint32_t code, std::initializer_list<double> figures, std::string_view text);
     void note(std::uint32_t code, std::initializer_list<double> figures, std::string_view text, const More& more = {});
     void warn(std::uint32_t code, std::initializer_list<double> figures, std::string_view text, const More& more = {});
@@ -86,8 +86,7 @@ public:
     }
 
     [[nodiscard]] Pool& pool() const noexcept { return *pool_; }
-    // Marks the end of planning. There may be many calls after it, so repeated notes and stages are then stored only
-    // once.
+    // Marks the end of planning. Many calls may follow. From then on, a repeated note or stage is stored only once.
     void end_planning() noexcept { planned_stages_ = stages.size(); }
 
     Vector<Note> notes;
@@ -98,7 +97,7 @@ private:
     friend class Serving;
     void tell(std::uint32_t severity, std::uint32_t code, std::initializer_list<double> figures, std::string_view text,
               const More& more = {});
-    // After planning, returns the stored stage of the same kind, or null without one. During planning it returns
+    // After planning, returns the stored stage of the same kind, or null if there is none. During planning, returns
     // null.
     [[nodiscard]] FinishedStage* kept_before(std::uint32_t stage) noexcept;
     const FinishedStage& keep(FinishedStage&& finished);
@@ -114,7 +113,7 @@ private:
     std::optional<std::size_t> planned_stages_;
 };
 
-// While it lives, a report uses the operation of a call, which may be NULL.
+// While an object of this class exists, a report uses the operation of a call. The operation may be NULL.
 class Serving {
 public:
     Serving(Report& report, hrbfnpr_operation* operation) noexcept : report_(report) {

@@ -99,7 +99,7 @@ template <std::size_t count>
 // A section of the file: the fields of a struct, and keys that are not plain fields.
 struct SettingsSection {
     Record record;
-    std::array<std::string_view, 2> more; // the names of these keys; "" if there are fewer
+    std::array<std::string_view, 2> more; // the names of the keys that are not plain fields; "" if there are fewer
 };
 constexpr SettingsSection style_section{Record::style, {"layers", "lines"}};
 constexpr SettingsSection layer_style_section{Record::layer_style, {}};
@@ -111,7 +111,7 @@ constexpr SettingsSection mesh_fit_section{Record::mesh_fit_desc, {}};
 constexpr SettingsSection line_set_section{Record::line_set_desc, {"lines"}};
 constexpr SettingsSection line_section{Record::line_desc, {"levels"}};
 
-// Returns whether a file can store a choice. It cannot store the caller's own points as seeds.
+// Returns whether a settings file can store this choice of a field. It cannot store the caller's own points as seeds.
 [[nodiscard]] bool is_choice_of_settings(const NamedField& field, std::string_view choice) noexcept {
     return choice != "points" || std::string_view(field.name) != "seed_source";
 }
@@ -180,7 +180,7 @@ void check_section(const JsonValue& value, std::string_view where, const Setting
     return found;
 }
 
-// Returns the text for a field, or nullptr. `keeper` stores the text.
+// Returns the text for a field, or nullptr if the file has null. `keep` stores the text.
 template <class Keeper>
 [[nodiscard]] const char* text_in(const JsonValue& value, std::string_view where, Keeper&& keep, Pool& pool) {
     if (value.kind() == JsonKind::null) return nullptr;
@@ -218,7 +218,7 @@ void read_fields(const JsonValue& value, std::string_view where, const SettingsS
     }
 }
 
-// Reads the levels of lines, which need special treatment.
+// Reads the levels of lines, a list of numbers. `keep` stores the numbers.
 template <class Keeper>
 [[nodiscard]] hrbfnpr_array levels_in(const JsonValue& lines, std::string_view where, Keeper&& keep, Pool& pool) {
     const std::optional<JsonValue> value = lines.find("levels");
@@ -455,7 +455,7 @@ std::optional<hrbfnpr_camera> Settings::camera(std::int32_t width, std::int32_t 
     const std::array<double, 2> wanted{wide, high};
     const std::array<double, 2> known{static_cast<double>((*size)[0]), static_cast<double>((*size)[1])};
     if (wanted == known) return made;
-    // The saved picture is scaled to the largest size that fits into the wanted one.
+    // The saved picture is scaled to the largest size that fits into the wanted size.
     const double scale = std::min(wanted[0] / known[0], wanted[1] / known[1]);
     for (std::size_t axis = 0; axis < 2; ++axis)
         for (std::size_t column = 0; column < 4; ++column)

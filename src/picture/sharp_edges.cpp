@@ -13,8 +13,8 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// Numbers the positions of points from 0. Points at the same position share a number, but a point with NaN shares its
-// number with none.
+// Returns an index for the position of each point. Points at the same position have the same index. A point with NaN
+// has an index that no other point has.
 Vector<std::int64_t> places_of_points(const Points& points, Pool& pool) {
     Vector<std::int64_t> order(points.size(), 0, &pool);
     std::iota(order.begin(), order.end(), 0);

@@ -43,7 +43,7 @@ bool has_all(const Numbers& numbers, const PointMask& kept) noexcept {
     });
 }
 
-// Keeps the faces or edges whose points are all kept. Gives their points the new numbers.
+// Keeps the faces or edges whose points are all kept. Replaces the indices of their points by the new indices.
 template <class Numbers>
 void keep_joined(Vector<Numbers>& joined, const PointMask& kept, const Vector<std::int64_t>& number) noexcept {
     joined.erase(
@@ -60,7 +60,7 @@ PointMask points_at(const Points& points, double value, Pool& pool) {
     return at;
 }
 
-// Returns whether a value is far below the coordinates of all other points: by more than their extent.
+// Returns whether a value is below the coordinates of all other points, by more than the extent of these points.
 bool is_far_below(double value, const Points& points, const PointMask& at_it) noexcept {
     geometry::Bounds rest;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -146,14 +146,14 @@ PointMask far_from_most(const Points& points, Pool& pool) {
 
 namespace {
 
-constexpr int cell_bits = 21; // the bits for each axis in the number of a cell
+constexpr int cell_bits = 21; // the number of bits for each axis in the index of a cell
 
 std::int64_t cell_along(double place) noexcept {
     constexpr double most = 2097152.0 - 3.0; // The largest cell index. It leaves an empty cell on both sides.
     return place < most ? static_cast<std::int64_t>(place) + 1 : static_cast<std::int64_t>(most) + 1;
 }
 
-// Returns the number of a cell. Neighbours along z have consecutive numbers.
+// Returns the index of a cell. Cells that are neighbours along z have consecutive indices.
 constexpr std::int64_t cell_number(std::int64_t x, std::int64_t y, std::int64_t z) noexcept {
     return x * (std::int64_t{1} << (2 * cell_bits)) + y * (std::int64_t{1} << cell_bits) + z;
 }
@@ -175,7 +175,7 @@ Vector<OccupiedCell> occupied_cells(const Vector<std::int64_t>& cell_of, Pool& p
     return cells;
 }
 
-// Returns the median number of points in a cell, over all points.
+// Returns the median, over all points, of the number of points in the cell of a point.
 double median_crowd(const Vector<OccupiedCell>& cells, std::size_t points, Pool& pool) {
     Vector<std::int64_t> crowds(&pool);
     for (const OccupiedCell& cell : cells) crowds.push_back(cell.points);

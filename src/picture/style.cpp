@@ -130,7 +130,8 @@ Style::Style(const Style& other, Pool& pool)
 }
 
 Style& Style::operator=(Style other) noexcept {
-    // The style is made anew, because its lists belong to the other pool, and texts must not move.
+    // This object is destroyed and constructed again. An assignment of members would not do: the lists of `other`
+    // belong to another pool, and texts must not move.
     std::destroy_at(this);
     return *std::construct_at(this, std::move(other));
 }

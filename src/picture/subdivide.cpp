@@ -52,8 +52,8 @@ Bends bends_of(const Shape& shape, const FaceEdges& edges, Pool& pool) {
     return bends;
 }
 
-// Joins the two faces at each plain edge i for which joins(i) is true. Returns for each face the smallest face number
-// in its set.
+// Joins the two faces at each plain edge i for which joins(i) is true. Returns for each face the smallest index of a
+// face in its set.
 template <class Joins>
 Vector<std::size_t> joined_faces(const Bends& bends, Pool& pool, Joins&& joins) {
     mesh::UnionFind sets(pool.memory(), static_cast<std::int64_t>(bends.area.size()));
@@ -120,7 +120,7 @@ Vector<double> bulges_of(const Shape& shape, const Bends& bends, const Flags& sh
     Vector<double> bulge(bends.plain.size(), 0.0, &pool);
     const double diagonal = box_diagonal_of(shape.points);
     if (!(diagonal > 0.0)) return bulge;
-    // This constant makes the extent of an equilateral triangle equal to its edge.
+    // With this factor, the extent of an equilateral triangle equals the length of its edge.
     const double equilateral = 4.0 / std::sqrt(3.0);
     for (std::size_t i = 0; i < bends.plain.size(); ++i) {
         const PlainEdge& plain = bends.plain[i];
@@ -155,7 +155,7 @@ Vector<std::int64_t> lines_at_vertices(const FaceEdges& edges, const Flags& shar
 // Returns the vertices that stay: ends, crossings and corners of sharp lines.
 Flags staying_vertices(const Points& points, const FaceEdges& edges, const Flags& sharp,
                        const Vector<std::int64_t>& lines, Pool& pool) {
-    // For each vertex, the sum of unit vectors along its sharp edges, pointing away from it.
+    // For each vertex, the sum of unit vectors along its sharp edges, pointing away from the vertex.
     Points way(points.size(), glm::dvec3(0.0), &pool);
     for (const bool to_end : {false, true})
         for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -332,7 +332,7 @@ Shape subdivide(const Shape& shape, std::int32_t rounds, double crease_angle, Po
         return finer;
     }
     Rounds plan = plan_rounds(shape, rounds, crease_angle, pool, progress);
-    Points control(shape.points, &pool); // The control points, whose subdivision comes near to the given vertices.
+    Points control(shape.points, &pool); // The control points. Their subdivision approximates the given vertices.
     for (std::int32_t i = 0; i < subdivide_tuning.corrections; ++i) {
         const Points made = refined(control, shape, plan.rounds, pool, progress);
         for (std::size_t v = 0; v < control.size(); ++v) control[v] = control[v] + shape.points[v] - made[v];
@@ -346,8 +346,7 @@ Shape subdivide(const Shape& shape, std::int32_t rounds, double crease_angle, Po
 Vector<std::int64_t> parents_of(std::size_t faces, std::size_t finer, Pool& pool) {
     Vector<std::int64_t> parents(&pool);
     parents.reserve(finer);
-    // Each round divides every face into four. In the result, part k of face f has the number k * (number of faces) +
-    // f.
+    // Each round divides every face into four. In the result, part k of face f has the index k * (number of faces) + f.
     for (std::size_t i = 0; i < finer; ++i) parents.push_back(static_cast<std::int64_t>(i % faces));
     return parents;
 }

@@ -24,19 +24,19 @@ namespace hrbfnpr::picture {
 
 struct DividedParts {
     Shape shape;
-    Vector<std::int64_t> parents; // For each face, the given face that it was divided from.
+    Vector<std::int64_t> parents; // For each face: the index of the given face from which it was made.
 };
-// Divides only the coarse parts. A part is coarse if it has a smooth edge that bulges by more than this share of the
-// diagonal.
+// Divides only the coarse parts. A part is coarse if it has a smooth edge that bulges by more than `tolerance`, as a
+// share of the diagonal.
 [[nodiscard]] DividedParts subdivide_coarse_parts(const Shape& shape, std::int32_t rounds, double crease_angle,
                                                   double tolerance, Pool& pool, const base::Progress& progress = {});
-// Returns the parents of all faces after subdivide() divides `faces` faces.
+// Returns the parents of the `finer` faces that subdivide() makes from `faces` faces.
 [[nodiscard]] Vector<std::int64_t> parents_of(std::size_t faces, std::size_t finer, Pool& pool);
 
-// Returns how far the faces are from a round surface, as a share of the diagonal: this percentile of the bulges of all
-// edges that are not sharp. The bulge of an edge is the angle between the normals of its two faces, times an eighth of
-// their extent across the edge. For an equilateral face, the extent is the edge length. For a bevel beside a flat face,
-// it is the width of the bevel, whatever its length.
+// Returns how far the faces are from a round surface, as a share of the diagonal. The result is the percentile
+// `percent` of the bulges of all edges that are not sharp. The bulge of an edge is the angle between the normals of its
+// two faces, times an eighth of their extent across the edge. For an equilateral face, the extent is the edge length.
+// For a bevel beside a flat face, the extent is the width of the bevel, and does not depend on its length.
 [[nodiscard]] double coarseness(const Shape& shape, double percent, Pool& pool);
 
 // Returns for each place of a finer mesh its distance from the planes of its parent faces, as a share of the diagonal.

@@ -8,12 +8,12 @@ struct LinesTuning {
     // The support at which a border is found, if the caller gives none, as in hrbfnpr_line_set_desc. Larger: wider
     // holes between samples stay closed, and the surface reaches farther beyond its last samples.
     double open_support = 3.0;
-    // If the creases of a shape are at most this long on average, they are the facets of a rounded shape. In diagonals
-    // of the shape. Larger: more shapes lose their short creases.
+    // If the mean length of a shape's creases is at most this, in diagonals of the shape, they are only the facets of a
+    // rounded shape. Larger: more shapes lose their short creases.
     double mean_facet = 0.05;
-    // Creases longer than this are kept on a rounded shape, in diagonals of the shape. Larger: fewer are kept.
+    // Creases longer than this, in diagonals of the shape, are kept even on a rounded shape. Larger: fewer are kept.
     double long_crease = 0.06;
-    // If more than this share of the triangles faces away from the surface, lines may be missing, and a warning comes.
+    // If more than this share of the triangles faces away from the surface, a warning says that lines may be missing.
     // Larger: fewer warnings.
     double turned_share = 2e-3;
     // A drawing has a crease where faces meet at more than this angle, in degrees. Larger: fewer creases.
@@ -22,11 +22,11 @@ struct LinesTuning {
 inline constexpr LinesTuning lines_tuning;
 
 struct CutFacesTuning {
-    // Two ends of outlines are joined if their distance is at most this, in lengths of the outline. Larger: wider gaps
-    // are closed, and outlines that only pass each other are joined.
+    // Two ends of outlines are joined if their distance is at most this share of the outline's length. Larger: wider
+    // gaps are closed, and outlines that only pass each other are joined.
     double closed = 1e-3;
-    // Two ends are always joined within this distance, in units of the points. It allows for rounding in single
-    // precision.
+    // Two ends of outlines are always joined if their distance is at most this, in units of the points. It allows for
+    // rounding in single precision.
     double rounding = 1e-6;
     // A cut face has at most this many hatch lines. Larger: finer hatching is possible, and takes longer.
     double most_lines = 1e6;
@@ -66,11 +66,12 @@ struct PlateTuning {
     double outline = 2.6;
     // The empty space on each side of a section, in widths of the picture. Larger: more empty paper.
     double margin = 0.05;
-    // The section is as wide as the marks near its plane: nearer than this, in distances of the farthest mark. Larger:
-    // parts of the surface away from the plane widen the section.
+    // The section is as wide as the marks near its plane. A mark is near if its distance from the plane is less than
+    // this share of the distance of the mark farthest from the plane. Larger: parts of the surface away from the plane
+    // widen the section.
     double near_plane = 0.02;
-    // The distance from the section to its camera, in distances of the farthest mark. It must be large enough for the
-    // camera to see all marks.
+    // The distance from the section to its camera, divided by the distance of the farthest mark from the model's
+    // middle. It must be large enough for the camera to see all marks.
     double camera_reach = 4.0;
     // A pixel of the drawn section is on a line if it differs from the paper by more than this, of 255.
     double line_contrast = 64.0;

@@ -46,18 +46,20 @@ struct UpTuning {
     // The convex hull of the feet has at least this share of the area of the shadow's hull. Larger: only broad shapes
     // stand.
     double foot_share = 0.3;
-    // A shape stands on z = 0 if its lowest point is at most this share of its height away. Larger: more shapes stand
-    // there.
+    // A shape stands on z = 0 if its lowest point is at most this share of its height above or below 0. Larger: more
+    // shapes stand there.
     double ground_miss = 0.005;
-    // A shape is centred if its middle is at most this share of its sides away from 0. Larger: more shapes are centred.
+    // A shape is centred if the distance of its middle from 0 is at most this share of the sides of its bounding box.
+    // Larger: more shapes are centred.
     double middle_miss = 0.05;
-    // Two sides are alike if samples, when mirrored, are nearer to others than this, in spacings. Larger: more are
-    // alike.
+    // Two sides are alike if mirrored samples are nearer to the given samples than this, in spacings. Larger: more
+    // sides are alike.
     double mirrored_alike = 1.0;
-    // Two sides differ if samples, when mirrored, are farther from others than this, in spacings. Larger: fewer differ.
+    // Two sides differ if mirrored samples are farther from the given samples than this, in spacings. Larger: fewer
+    // sides differ.
     double mirrored_unlike = 1.2;
-    // Along the axis whose sides differ, the distance is at least this many times the distance along the other axis.
-    // Larger: fewer shapes are clear.
+    // Mirroring along the axis whose sides differ gives at least this many times the distance between mirrored and
+    // given samples that mirroring along the other axis gives. Larger: fewer shapes are clear.
     double mirrored_clearly = 1.8;
     // Two sides are compared by this percentile of the distances of mirrored samples. Larger: a few differing samples
     // make sides differ.
@@ -67,12 +69,14 @@ struct UpTuning {
     // A shape thinner than this share of its shorter side lies flat. Its faces are then not its left and right sides.
     // Larger: more shapes lie flat.
     double leaf_thickness = 0.1;
-    // A border edge belongs to a hole to stand on if its middle is in this share of the height, from the end. Larger:
-    // slanted borders count.
+    // A border edge belongs to a hole on which the object stands if the distance of its middle from that end is at most
+    // this share of the height. Larger: slanted borders count.
     double hole_height = 0.15;
-    // The hole has at least this share of the length of all borders. Larger: fewer objects stand on holes.
+    // The border of such a hole has at least this share of the length of all borders. Larger: fewer objects stand on
+    // holes.
     double hole_border = 0.5;
-    // The opposite end has at most this share of the length of all borders. Larger: tubes count as standing.
+    // The borders at the opposite end have at most this share of the length of all borders. Larger: tubes count as
+    // standing.
     double hole_above = 0.05;
     // The area of the hole, seen along its axis, is more than this many times its area seen along other axes. Larger:
     // only level holes count.
@@ -92,8 +96,8 @@ struct LookTuning {
     double field_of_view = 30.0;
     // This share of a picture is empty on each side. Larger: the object is smaller in the picture.
     double margin = 0.05;
-    // An open surface has a front if its mean normal, perpendicular to the up axis, is longer than this. A half sphere
-    // has 0.5, a box without one side 0.17. Larger: fewer open surfaces are turned to the camera.
+    // An open surface has a front if the component of its mean normal perpendicular to the up axis is longer than this.
+    // A half sphere has 0.5, a box without one side 0.17. Larger: fewer open surfaces are turned to the camera.
     double looks_one_way = 0.25;
     // If the cosine between up and z is above this, the front is -y, else +z. Larger: tilted objects keep +z.
     double upright = 0.9;
@@ -120,7 +124,8 @@ struct BlankTuning {
     // A surface faces away if at least this many times as many marks show their back as their front. Larger: the note
     // appears less often.
     std::int64_t back_over_front = 20;
-    // A cause is named if it removes at least one in this many marks that face the eye. Larger: more causes are named.
+    // A note names a cause if it removes more than 1 / cause_divisor of the marks that face the eye. Larger: more
+    // causes are named.
     double cause_divisor = 2.0;
 };
 inline constexpr BlankTuning blank_tuning;

@@ -78,8 +78,9 @@ struct SubdivideTuning {
     // The largest number of faces after the last round. Larger: some more gigabytes of memory.
     std::int64_t most_faces = 4'000'000;
     std::int32_t most_rounds = 6;
-    // The number of corrections that make the surface pass through the vertices. Plain subdivision moves vertices away;
-    // after four corrections, a hundredth of this distance is left. Larger: nearer, in more time.
+    // The number of corrections that make the surface pass through the vertices. Plain subdivision moves the vertices.
+    // After four corrections, a hundredth of their distance from the given places is left. Larger: nearer, in more
+    // time.
     std::int32_t corrections = 4;
     // A vertex does not move if a border or crease turns there by more than this, in degrees. Larger: rounder corners.
     double corner_angle = 60.0;
@@ -87,7 +88,7 @@ struct SubdivideTuning {
     double narrow = 0.25;
     // The edges of a bevel bend by at least this, in degrees. Larger: fewer faces are bevels.
     double bevel_angle = 15.0;
-    // Triangles whose angle is less than this, in degrees, belong to one flat face. Larger: larger flat faces.
+    // Triangles that meet at less than this angle, in degrees, belong to one flat face. Larger: larger flat faces.
     double flat_angle = 2.0;
     // The coarseness of a mesh is this percentile of its edges' bulges. Larger: a few long faces make it coarse.
     double coarse_percentile = 90.0;
@@ -96,7 +97,7 @@ inline constexpr SubdivideTuning subdivide_tuning;
 
 // Edges that the normals of a file mark as sharp.
 struct SharpEdgesTuning {
-    // Two triangles whose angle is less than this, in degrees, belong to one face, as in a polygon. Larger: fewer edges
+    // Two triangles that meet at less than this angle, in degrees, belong to one flat polygon. Larger: fewer edges
     // count.
     double bend_angle = 2.0;
 };

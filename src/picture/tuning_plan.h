@@ -14,8 +14,8 @@ struct PlanTuning {
     double least_pen = 0.75;
     // Stipples cover this share of the paper at the darkest tone. Larger: darker, and more marks.
     double stipple_coverage = 0.8;
-    // The number of hatching lines of all levels over a length of the square root of the area. Larger: hatching stays
-    // even in larger pictures, and needs more marks.
+    // The distance between hatching lines of all levels is the square root of the surface's area, divided by this.
+    // Larger: hatching stays even in larger pictures, and needs more marks.
     double hatch_lines = 300.0;
     // The largest number of marks in a layer, unless the caller gives a budget. Each mark takes about 500 bytes while
     // it is placed and drawn. Larger: large pictures reach their darkest tone, and need more memory.
@@ -43,7 +43,7 @@ struct LineStyleTuning {
     // The width of lines other than contours, borders and creases, in widths of the contour. Larger: these lines stand
     // out more.
     double fine_width = 0.6;
-    // The width of a line varies by this times the `wobble` of the caller, and by at most 1. Larger: more uneven lines.
+    // The width of a line varies by the caller's `wobble` times this, but by at most 1. Larger: more uneven lines.
     double width_of_wobble = 0.5;
 };
 inline constexpr LineStyleTuning line_style_tuning;

@@ -45,7 +45,8 @@ struct NormalsTuning {
     // The normals at one place contradict each other if their mean is shorter than this. All samples there are then
     // removed.
     double opposite = 0.2;
-    // This share of a sample's area is added to squared distances. Larger: places close to a sample count less.
+    // This share of a sample's area is added to the squared distance from the sample. Larger: places close to a sample
+    // count less.
     double soft_area = 0.1;
     // The distance from the surface at which winding numbers on both sides are computed, in spacings.
     double off_surface = 0.5;
@@ -112,7 +113,7 @@ struct StraysTuning {
     std::int64_t alone = 3;
     // If more than this share of the points would be strays, no point is removed, because the points are merely uneven.
     double most = 0.1;
-    // The ratio of each cell size to the one tried before.
+    // The ratio of each cell size to the size that is tried before it.
     double coarser = 1.3;
 };
 inline constexpr StraysTuning strays_tuning;
@@ -126,11 +127,11 @@ struct NearnessTuning {
     double missed_share = 0.01;
     // The warning proposes this many times the present number of samples.
     std::int64_t more_samples = 4;
-    // A warning comes if more than this share of the samples looks wrong, and at least the number below. On thin parts,
-    // a few correct samples may look wrong.
+    // A warning comes if more than this share of the samples looks wrong, and these are at least `least_doubted`
+    // samples. On thin parts, a few correct samples may look wrong.
     double doubted_share = 0.005;
     double least_doubted = 3.0;
-    // If all samples are at most this far from a surface, in diagonals, it passes through them.
+    // If all samples are at most this far from a surface, in diagonals, the surface counts as passing through them.
     double through = 1e-6;
 };
 inline constexpr NearnessTuning nearness_tuning;

@@ -21,15 +21,15 @@ struct ViewLinesTuning {
     // exactly.
     int halvings = 4;
     // A ray from an edge of a mesh begins this far outside the surface, in diagonals. The fit may be that far from the
-    // edge. Larger: edges in narrow grooves look visible. Smaller: edges hide themselves.
+    // edge. Larger: edges in narrow grooves look visible. Smaller: the surface at an edge hides the edge.
     double off_edge = 0.006;
     // A ray from a line on the surface begins this far outside the surface, in diagonals.
     double off_surface = 5e-4;
     // If the model has sharp edges, contours up to this size, in mm, are ripples of the fit. Larger: more contours are
     // left out.
     double smallest_contour = 4.0;
-    // Edges with a free end, up to this length in diagonals, are facets of a rounded shape. Larger: more edges are left
-    // out.
+    // Edges with a free end are facets of a rounded shape if their length is at most this, in diagonals. Larger: more
+    // edges are left out.
     double shortest_edge = 0.06;
     // Contours closer to an edge than this, in diagonals, exist only because the fit rounds the edge. Larger: more
     // contours are left out.
@@ -59,7 +59,7 @@ struct SightTuning {
     std::int64_t at_once = 2000;
     // A surface is open if more than this share of it is removed by trimming. Otherwise it is the surface of a solid.
     double open = 0.01;
-    // A cut face hides places that are farther beyond it than this, in diagonals.
+    // A cut face hides places that are more than this behind it, in diagonals.
     double behind = 1e-3;
     // The last step of a search for a hit is longer by this factor, so that a hit at its end is found.
     double step_room = 1.001;
@@ -74,7 +74,7 @@ struct ViewOrderTuning {
     double smooth_reach = 0.8;
     // The distance between places where lines are compared. Larger: faster, with rougher ends.
     double step = 0.15;
-    // Shorter pieces that remain between other lines are not drawn.
+    // Pieces that remain between other lines are not drawn if they are shorter than this.
     double shortest_rest = 0.5;
     // Before two lines meet, one may run beside the other for at most this length. Larger: fewer gaps, more double
     // lines.
@@ -90,7 +90,8 @@ struct ViewOrderTuning {
     // the line continues there like another line.
     double flicker = 2.0;
     double onward = 0.7;
-    // Two places of one line count as different lines if their distance along the line is more than this, in reaches.
+    // Two places of one line count as different lines if their distance along the line is more than this many times the
+    // reach.
     double own_part = 4.0;
     // The least lengths that are drawn: of outlines, of hidden lines, and of lines that are not sharp edges.
     double shortest_outline = 0.8;

@@ -161,8 +161,8 @@ double distance_of_most(const geometry::VecArray& places, const geometry::PointT
     return percentile(distances, up_tuning.mirrored_percentile);
 }
 
-// Mirrors samples along an axis, in their mean or in the middle of their box. Returns the distance of the mirrored
-// samples from the others.
+// Mirrors samples along an axis, once in their mean and once in the middle of their bounding box. Returns the smaller
+// of the two distances between the mirrored and the given samples.
 double mirrored_distance(const Points& points, const geometry::Bounds& box, UpAxis axis,
                          const geometry::PointTree& tree, Pool& pool) {
     const auto step = std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(up_tuning.mirrored_most));
@@ -203,7 +203,7 @@ UpAxis sideways_axis(const Points& points, const geometry::Bounds& box, Pool& po
 
 // ---- A hole to stand on
 
-struct BorderSide { // A side of a triangle: the numbers of its two points, and its index in the list of all sides.
+struct BorderSide { // A side of a triangle: the indices of its two points, and its index in the list of all sides.
     std::int64_t low;
     std::int64_t high;
     std::int64_t number;
@@ -217,8 +217,8 @@ struct BorderSide { // A side of a triangle: the numbers of its two points, and 
     }
 };
 
-// Returns the sides that only one triangle has, sorted by their points. Each goes from the triangle's first end to its
-// second.
+// Returns the sides that only one triangle has, sorted by their points. Each side has the direction in which its
+// triangle uses it.
 Vector<Edge> border_of(const Vector<Triangle>& triangles, Pool& pool) {
     Vector<BorderSide> sides(&pool);
     sides.reserve(3 * triangles.size());
@@ -320,8 +320,8 @@ double area_of_polygon(const FlatPoints& polygon) noexcept {
     return twice / 2.0;
 }
 
-// Returns the height that bounds one end of an axis. `side` (1 or -1) chooses the end and the sense in which heights
-// are measured.
+// Returns the height below which points belong to the feet at one end of an axis. `side` (1 or -1) chooses the end;
+// with -1, heights are measured downward.
 double height_of_end(const geometry::Bounds& box, UpAxis axis, double side) noexcept {
     const double lowest = side > 0.0 ? box.min[axis] : -box.max[axis];
     return lowest + up_tuning.foot_height * (box.max[axis] - box.min[axis]);
@@ -415,7 +415,8 @@ glm::dvec3 choose_up(const Call& call, const Shape* shape, const Points& points,
     String reasoned(text, &call.pool);
     (reasoned += shape != nullptr && shape->up ? ", " : ": ") += found.reason;
     for (String* const one : {&text, &reasoned}) *one += " ({up=y} changes it)";
-    const bool is_short = call.report.is_short(reasoned); // A caller may name the kind of file at length.
+    // The caller's text for the kind of file may be too long for a note.
+    const bool is_short = call.report.is_short(reasoned);
     call.report.note(HRBFNPR_NOTE_UP, {up.x, up.y, up.z}, is_short ? reasoned : text,
                      {.detail = is_short ? std::string_view() : std::string_view(found.reason)});
     return up;

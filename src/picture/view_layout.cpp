@@ -192,7 +192,8 @@ SheetView view_from(ViewName kind, String name, const glm::dvec3& eye, const Sta
     glm::dvec3 up = is_level ? -std::copysign(1.0, along) * axes.front : axes.up - along * eye;
     up = up / glm::length(up);
     SheetView view{kind, std::move(name), glm::cross(up, eye), up, eye};
-    // An isometric view draws the model's axes at the scale, though they look shorter by this factor [ISO 5456-3].
+    // An isometric projection shortens the model's axes by this factor. The view is enlarged by it, so that the axes
+    // are to scale [ISO 5456-3].
     if (kind == ViewName::iso) view.factor = std::sqrt(1.5);
     return view;
 }
@@ -282,7 +283,7 @@ struct TablePlace {
 constexpr std::array<TablePlace, 7> first_angle{{{1, 1}, {3, 1}, {2, 1}, {0, 1}, {1, 2}, {1, 0}, {2, 2}}};
 constexpr std::array<TablePlace, 7> third_angle{{{1, 1}, {3, 1}, {0, 1}, {2, 1}, {1, 0}, {1, 2}, {2, 0}}};
 
-// Returns the number of the first view that shows the plane as a line; the front and top views are tried first. Without
+// Returns the index of the first view that shows the plane as a line; the front and top views are tried first. Without
 // such a view, returns the number of cells.
 std::size_t cell_that_shows(const Vector<ViewCell>& cells, const CutPlane& plane) noexcept {
     constexpr std::array order{ViewName::front, ViewName::top,    ViewName::left,

@@ -30,7 +30,7 @@ enum class ViewName : std::uint32_t { front, back, left, right, top, bottom, iso
 struct AskedCut {
     glm::dvec3 normal{0.0};      // a vector with any length except 0
     std::optional<double> place; // If empty, the plane passes through the middle of the model.
-    // True if the caller gives the normal's sign, which then points towards the viewer of the section.
+    // True if the caller gives the sign of the normal. The normal then points towards the viewer of the section.
     bool is_signed = false;
 };
 
@@ -78,7 +78,7 @@ struct SheetView {
     glm::dvec3 right; // The unit vectors to the right and up in the view.
     glm::dvec3 up;
     glm::dvec3 eye;        // a unit vector towards the eye
-    double factor = 1.0;   // The view is larger than the scale by this factor.
+    double factor = 1.0;   // The view is drawn at the scale times this factor.
     std::size_t plane = 0; // for a section: the index of its plane
 
     [[nodiscard]] bool is_section() const noexcept { return kind == ViewName::section; }
@@ -160,8 +160,8 @@ struct LayoutRules {
     glm::dvec3 up;  // unit vector
 };
 
-// Returns a layout for the given page and scale. If one is not given, it is chosen so that the views fit. Throws
-// Error{invalid_argument} that names pages and scales that would fit.
+// Returns a layout for the given page and scale. If the page or the scale is not given, it is chosen so that the views
+// fit. Throws Error{invalid_argument} that names pages and scales that would fit.
 [[nodiscard]] SheetLayout choose_layout(const Vector<ViewCell>& cells, const std::optional<SheetPage>& page,
                                         const std::optional<SheetScale>& scale, const LayoutRules& rules,
                                         const Report& report);

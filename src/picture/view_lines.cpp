@@ -280,8 +280,8 @@ LinesByKind traced_lines(const Drawing& drawing, double picture_size, Pool& pool
 // ---- Sight: whether places are visible from the eye of a view, or from a cutting plane
 
 // Rays to the eye. f is evaluated at many places of many rays at once, which is faster than following each ray. Walls
-// thinner than 1 / (steps * finer) diagonals may be missed. For open surfaces, sheets nearer to each other than 1 / (2
-// * steps) may be missed, too.
+// thinner than 1 / (steps * finer) diagonals may be missed. For open surfaces, two sheets may be missed if they are
+// nearer to each other than 1 / (2 * steps) diagonals.
 struct Sight {
     const Solid& solid;
     const SheetView& view;
@@ -333,7 +333,7 @@ RaySamples even_samples(const Vector<double>& lengths, std::size_t steps, Pool& 
     return samples;
 }
 
-// Finds whether f is below 0 somewhere on each ray. Where f is least, it uses finer steps.
+// Finds whether f is below 0 somewhere on each ray. Around each minimum of f that is near 0, it uses finer steps.
 void look_up_solid(const Sight& sight, const Points& starts, const Vector<double>& lengths, std::uint8_t* hidden) {
     const auto steps = static_cast<std::size_t>(sight_tuning.steps);
     RaySamples samples = even_samples(lengths, steps, sight.pool);
@@ -559,7 +559,7 @@ TracedLines asked_lines(const TracedLines& lines, const Sight& sight, double off
     return made;
 }
 
-// Adds the parts of a line that are beyond a plane.
+// Adds the parts of a line that are behind a cutting plane, as the viewer of the section sees it.
 void add_parts_behind(const TracedLine& line, const CutPlane& plane, TracedLines& to, Pool& pool) {
     Vector<double> away(&pool);
     for (const glm::dvec3& place : line.places) away.push_back(glm::dot(place, plane.normal) - plane.place);
@@ -607,7 +607,7 @@ TracedLines creases_in(const SheetView& view, const Solid& solid, double scale, 
     return lines;
 }
 
-// Appends all lines of one kind that were found to `to`.
+// Moves all lines of one kind from `found` to the end of `to`.
 void take_kind(LinesByKind& found, std::uint32_t kind, TracedLines& to) {
     const auto lines = found.find(kind);
     if (lines == found.end()) return;
@@ -643,7 +643,8 @@ Vector<Points> without_loose_edges(Vector<Points> creases, double diagonal, Pool
     const auto less = [](const glm::dvec3& a, const glm::dvec3& b) {
         return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
     };
-    Map<glm::dvec3, int, decltype(less)> uses(less, &pool); // for each end: the number of its edges
+    // For each end of an edge: the number of edges that end there.
+    Map<glm::dvec3, int, decltype(less)> uses(less, &pool);
     for (const Points& line : creases) {
         HRBFNPR_ASSERT(line.size() > 1);
         ++uses[line.front()];

@@ -157,7 +157,7 @@ std::array<glm::dvec2, 2> across_box(const glm::dvec2& point, const glm::dvec2& 
     return {point + low * way, point + high * way};
 }
 
-// The line as which a view sees a plane.
+// The line that a view shows for a plane that it sees edge-on.
 struct PlaneTrace {
     glm::dvec2 point;
     glm::dvec2 way;    // the direction of the line
@@ -286,7 +286,7 @@ double length_of_bar(double longest) noexcept {
 
 void add_scale_bar(SheetContent& content, const SheetPage& page, double scale, Pool& pool) {
     constexpr double height = 1.5;
-    // The heights of the first and the last of the lines that fill a field, in mm above the bar's upper edge.
+    // The distances of the first and the last of the lines that fill a field from the bar's upper edge, in mm.
     constexpr double first_line = 0.15;
     constexpr double last_line = 1.35;
     const double longest = drawn_as.longest_bar * view_layout_tuning.bar_width / scale;

@@ -38,7 +38,7 @@ struct SheetLayer {
     SheetKind kind;
     String view;             // the name of the view, or empty
     Vector<PaperLine> lines; // The lines. In a layer of texts, each has one point: the start of the baseline.
-    Vector<String> texts;    // In a layer of texts, one for each line; else empty.
+    Vector<String> texts;    // In a layer of texts, one text for each element of `lines`; else empty.
     Vector<double> capitals; // the height of each text in mm
 };
 

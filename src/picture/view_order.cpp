@@ -54,7 +54,8 @@ public:
         HRBFNPR_ASSERT(cell > 0.0);
     }
 
-    // Returns whether a line already occupies a place. The part that the same curve has just drawn does not count.
+    // Returns whether a drawn line already occupies a place. If the line is the same curve, its places close by along
+    // the curve do not count.
     [[nodiscard]] bool has(const TakenPlace& wanted) const {
         const PaperCell middle = cell_of(wanted.place, cell_);
         for (std::int64_t column = middle.column - 1; column <= middle.column + 1; ++column)
@@ -96,8 +97,8 @@ struct CurvePart {
     bool hidden;
 };
 
-// Extends lines up to the lines that they join. Just before two lines meet, they run close together, or one continues
-// the other.
+// Extends the free parts of a line up to the lines that it meets. Just before two lines meet, they run close together,
+// or one of them continues the other.
 void run_on(Flags& free, const Vector<double>& at, double reach, Pool& pool) {
     const Vector<Run> runs = runs_of(free, pool);
     const auto length = [&](std::size_t i) { return at[runs[i].end - 1] - at[runs[i].begin]; };

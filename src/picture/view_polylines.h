@@ -16,7 +16,7 @@ namespace hrbfnpr::picture {
 using PaperLine = Vector<glm::dvec2>; // points in mm; y grows downward
 using Flags = Vector<std::uint8_t>;   // each element is 0 or 1
 
-// Returns for each point the length of the line from its first point.
+// Returns for each point the length of the line from its beginning to the point.
 template <class Line>
 [[nodiscard]] Vector<double> lengths_along(const Line& points, Pool& pool) {
     Vector<double> along(points.size(), 0.0, &pool);
@@ -37,8 +37,8 @@ template <class Line>
     return after == numbers.begin() ? 0 : static_cast<std::size_t>(after - numbers.begin()) - 1;
 }
 
-// Returns the interpolated value at `at`, where values[i] belongs to numbers[i]. The numbers ascend. Beyond the ends,
-// returns the value at the end.
+// Returns the interpolated value at `at`, where values[i] belongs to numbers[i]. The numbers ascend. If `at` is outside
+// their range, returns the value of the nearest number.
 template <class Value>
 [[nodiscard]] Value interpolated(std::span<const double> numbers, std::span<const Value> values, double at) noexcept {
     HRBFNPR_ASSERT(!numbers.empty() && numbers.size() == values.size());
@@ -62,7 +62,7 @@ template <class Value>
     return (values[i + 1] - values[i]) * (at - whole) + values[i];
 }
 
-// Returns `count` evenly spaced numbers between two numbers, including both; at least 2.
+// Returns `count` evenly spaced numbers between two numbers, including both. `count` is at least 2.
 [[nodiscard]] inline Vector<double> evenly(double from, double to, std::size_t count, Pool& pool) {
     HRBFNPR_ASSERT(count >= 2);
     Vector<double> numbers(&pool);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Decides which lines a drawing needs, by the caller's request and the style.
+// Decides which lines a drawing needs. This depends on the caller's request and the style.
 #pragma once
 
 #include "picture/call.h"

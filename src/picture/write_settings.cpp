@@ -186,7 +186,8 @@ public:
         return found != fields_.end() ? std::string_view(found->second) : std::string_view();
     }
 
-    // Adds the fields of the settings in their order, then those of the caller, beginning with the fields in `order`.
+    // Adds the changes that come from settings, in their order. Then adds the caller's changes: first those of the
+    // fields in `order`, then all others.
     void take(const Changes& changes, std::string_view order) {
         const Vector<Change>& list = changes.list();
         const std::span<const Change> all(list.data(), list.size());
@@ -255,8 +256,9 @@ void write_marks(JsonDocument& to, const Options& options, const Marks& marks, P
     to.end();
 }
 
-// Adds the fields that choose samples, which both kinds of fit have. Changes of these fields have priority over the
-// options. The flags tell whether such changes exist for the tolerance and for the limit.
+// Adds the fields that choose samples. A fit to samples and a fit to a mesh both have them. Changes of these fields
+// have priority over the options. `has_tolerance` and `has_limit` tell whether there are changes of the tolerance and
+// of the largest number of centres.
 void put_choice(const Options& options, bool has_tolerance, bool has_limit, GivenFields& fields, Pool& pool) {
     if (options.desc.tolerance > 0.0 && !has_tolerance)
         fields.put("tolerance", decimals_of(options.desc.tolerance, pool));
@@ -269,7 +271,7 @@ void write_fit(JsonDocument& to, const Options& options, Pool& pool) {
     fields.take(options.changes, fit_order);
     put_choice(options, options.changes.is_callers("fit.tolerance"), options.changes.is_callers("fit.maximum_centres"),
                fields, pool);
-    // Options replace two fields: normal_mode and trim.
+    // Two fields are removed, because options replace them: normal_mode and trim.
     fields.remove("normal_mode");
     fields.remove("trim");
     const bool is_auto = fields.text("regularization") == "auto" || fields.text("regularization_mode") == "auto";
