@@ -18,7 +18,8 @@ namespace {
 struct Change {
     std::int64_t piece, next; // the points of the curve before and after the zero
     Illinois root;
-    double share = 0.5; // the position on the piece that was evaluated last; in the end, the zero
+    // parameter of the place that was evaluated last, from 0 to 1 along the piece; in the end, that of the zero
+    double share = 0.5;
 };
 
 // A place on the cubic between two points of a curve. It is to be moved onto the curve.
@@ -196,7 +197,7 @@ Curves with_cusps(const base::Work& work, const Level& contour, const View& view
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         bool replaced = false; // True if a cusp just before the next point replaces that point.
         for (std::int64_t at = curves.first[c]; at < curves.first[c + 1]; ++at) {
-            // The next change is a cusp of this curve before this point.
+            // True if the next change is a cusp of this curve on the piece that begins at this point.
             const bool is_before = s < changes.size() && changes[s].piece == at;
             const double share = is_before ? changes[s].share : 0.5;
             if (!replaced && !(is_before && share < curve_tuning.at_end)) add(curves.point[at], false);

@@ -15,9 +15,10 @@ namespace hrbfnpr::curves {
 [[nodiscard]] Curves with_cusps(const base::Work& work, const Level& contour, const View& view, const Curves& given,
                                 std::int64_t& evaluations);
 
-// Halves the marked pieces repeatedly, until the image of a piece's middle is off the curve by less than the tolerance,
-// in pixels. `marked` has an entry for each point, for the piece that begins there. The cusps of changed curves are
-// found again. Other curves do not change. Adds to `evaluations`.
+// Halves the marked pieces repeatedly. It stops when, in the image, the distance between the middle of each piece and
+// the curve is less than `tolerance`, in pixels. `marked` has one entry for each point; the entry belongs to the piece
+// that begins at the point. The cusps of changed curves are found again. Other curves do not change. Adds to
+// `evaluations`.
 [[nodiscard]] Curves finer_curves(const base::Work& work, const Level& contour, const View& view, const Curves& curves,
                                   std::span<const std::uint8_t> marked, double tolerance, std::int64_t& evaluations);
 

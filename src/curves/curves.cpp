@@ -11,9 +11,11 @@
 namespace hrbfnpr::curves {
 namespace {
 
-// The largest distance between a cubic that turns by less than a right angle and its chord, in chords.
+// The largest distance between a cubic and its chord, in lengths of the chord. The cubic turns by less than a right
+// angle.
 constexpr double piece_bulge = 0.25;
-// A few hundred points are enough work for two threads with this, and it is several vectors long.
+// The number of points in a task. It is several SIMD vectors long. It is so small that a few hundred points give enough
+// tasks for two threads.
 constexpr std::int64_t points_a_task = 32;
 
 // Evaluates points[order[i]] for all i < count as one batch.
@@ -51,7 +53,8 @@ bool is_last(double step, double step_before, double tolerance) noexcept {
 constexpr std::int64_t vertices_a_task = 16384;
 // The number of points whose Hessians are stored at a time. It limits the stack that a caller's function uses.
 constexpr std::int64_t hessian_block = 32;
-// The value of s where no sample is near. It is so large that no Newton step leads there.
+// The value of g at a place without samples near it, where the support s is not finite. It is so large that no Newton
+// step leads there.
 constexpr double unsupported = 1e6;
 
 // Evaluates f and its Hessian in blocks. level(place, grad f, times, slope) returns g at a point and sets slope to its
@@ -104,7 +107,8 @@ double facing(const glm::dvec3& gradient, const glm::dvec3& place, const View& v
 
 // ---- Levels
 
-// If v depends on the point, grad g = H v + grad f. Otherwise it is H v.
+// The vector v from the eye depends on the point if the camera is at a finite distance. Then grad g = H v + grad f. For
+// a parallel projection grad g = H v.
 void ContourLevel::evaluate(const implicit::PointBatch& points, const LevelBatch& out) const {
     const double own = view_.eye.w == 0.0 ? 0.0 : 1.0;
     evaluate_blocks(surface_, points, out,
@@ -123,7 +127,7 @@ void ContourLevel::at_vertices(const base::Work& work, const SurfaceMesh& mesh, 
     });
 }
 
-// The change of the normal with the place is the Hessian divided by |grad f|.
+// The derivative of the unit normal with respect to the place is computed as H / |grad f|.
 void SupportLevel::evaluate(const implicit::PointBatch& points, const LevelBatch& out) const {
     evaluate_blocks(surface_, points, out,
                     [&](const glm::dvec3& p, const glm::dvec3& gradient, const auto& times, glm::dvec3& slope) {
@@ -141,8 +145,8 @@ void SupportLevel::at_vertices(const base::Work& work, const SurfaceMesh& mesh, 
 
 // ---- Points and curves
 
-// The step for g uses the part of grad g that is perpendicular to grad f. With the product J J^T, half of the digits
-// would be lost where the gradients are nearly parallel.
+// The step for g uses the part of grad g that is perpendicular to grad f. A formula with the matrix product J J^T would
+// lose half of the digits where the two gradients are nearly parallel. J is the matrix with the rows grad f and grad g.
 glm::dvec3 CurvePoint::newton_step() const noexcept {
     const double slope = glm::length(gradient);
     const glm::dvec3 normal = gradient / slope;
@@ -232,7 +236,7 @@ std::int64_t bisect(const base::Work& work, const Level& level, const base::Arra
             points[i].position = 0.5 * (between[i].negative + between[i].positive);
         // The distance of a chord's middle from the surface is proportional to the square of the chord's length. After
         // one Newton step it is proportional to the fourth power. A step longer than half of the chord leads to another
-        // place: f hardly rises there, or has a crease.
+        // place, because |grad f| is nearly 0 there or f has a crease. Such a step is not made.
         evaluate(work, level, points);
         for (std::int64_t i = 0; i < places.size(); ++i) {
             const glm::dvec3 middle = points[i].position;
@@ -298,7 +302,7 @@ NearCurves::Foot NearCurves::nearest(const glm::dvec3& place, const glm::dvec3& 
 }
 
 bool NearCurves::passes(const glm::dvec3& place, const glm::dvec3& along, double distance, std::int64_t& guess) const {
-    constexpr std::int64_t beside = 2; // the number of points before and after the guess
+    constexpr std::int64_t beside = 2; // how many points are examined on each side of `guess`
     Foot best;
     best.distance = std::nextafter(distance, HUGE_VAL);
     const auto look = [&](std::int64_t point) {

@@ -31,12 +31,13 @@ namespace hrbfnpr::curves {
 struct View {
     // The image of a place.
     struct Seen {
-        glm::dvec2 place; // position in pixels
-        double w;         // above 0 in front of the eye
+        glm::dvec2 place; // the position of the image, in pixels
+        double w;         // homogeneous coordinate: above 0 if the place is in front of the eye
     };
 
     glm::dvec4 eye{0.0, 0.0, 0.0, 1.0}; // w = 1: the position of the eye; w = 0: the viewing direction
-    glm::dmat4 to_window{1.0};          // from the surface to (x w, y w, depth w, w), in pixels
+    // Maps a place in the coordinates of the surface to (x w, y w, depth w, w). x and y are in pixels.
+    glm::dmat4 to_window{1.0};
 
     // Returns the vector from the eye to a point, not normalised.
     [[nodiscard]] glm::dvec3 sight(const glm::dvec3& p) const noexcept {
@@ -86,8 +87,8 @@ private:
     View view_;
 };
 
-// The function for the border of the support: g = s - limit, with s of surface/support.h. The surface is to the left of
-// the border.
+// The function for the border of the support: g = s - limit, where s is the support that surface/support.h computes.
+// The surface is to the left of the border.
 class SupportLevel final : public Level {
 public:
     SupportLevel(const implicit::Implicit& surface, const surface::Support& support, double limit) noexcept
@@ -130,7 +131,7 @@ void bring_closer(const base::Work& work, const Level& level, const base::Array<
                   base::Array<CurvePoint>& points, std::int64_t& evaluations);
 
 struct NewtonSettings {
-    // A step shorter than this is the last one. A longer step is also the last one if the step after it would be
+    // A Newton step shorter than this is the last one. A longer step is also the last one if the step after it would be
     // negligible.
     double tolerance = 0.0;
     double farthest = 0.0; // A point that moves farther from its start than this is given up.
@@ -167,8 +168,9 @@ class CubicPiece {
 public:
     CubicPiece(const CurvePoint& a, const CurvePoint& b) noexcept
         : a_(a.position), b_(b.position), length_(glm::distance(a_, b_)), begin_(tangent(a)), end_(tangent(b)) {
-        // With this speed at both ends, in chords, the middle of the cubic is on a circular arc. An arc with the angle
-        // t needs the speed 4 tan(t / 4) radii, and has a chord of 2 sin(t / 2) radii.
+        // The factor after length_ is the speed of the cubic at both ends, in lengths of the chord. With this speed,
+        // the middle of the cubic is on a circular arc. On an arc of radius 1 and angle t the speed is 4 tan(t / 4),
+        // and the chord has the length 2 sin(t / 2).
         const double cosine = std::clamp(glm::dot(begin_, end_), 0.0, 1.0);
         const double speed = length_ * (2.0 / (1.0 + std::sqrt(0.5 * (1.0 + cosine))));
         begin_ *= speed;
@@ -203,11 +205,12 @@ private:
 // Jarratt 1971]
 struct Illinois {
     double low = 0.0, high = 1.0;
-    double at_low, at_high; // The values at both ends. If an end stays, its value is halved.
-    double trial;           // the place to evaluate next
-    int trusted;            // after this many steps, the search bisects
+    // The values of the function at both ends. If an end has not moved in two or more steps, its value is halved.
+    double at_low, at_high;
+    double trial; // the place to evaluate next
+    int trusted;  // after this many steps, the search bisects
     int steps = 0;
-    int kept = 0; // how many times in a row the same end stayed: above 0 for the higher end, below 0 for the lower end
+    int kept = 0; // how often in a row an end has not moved: above 0 for the end `high`, below 0 for the end `low`
 
     Illinois(double from, double to, int trusted_steps = curve_tuning.most_steps) noexcept
         : at_low(from), at_high(to), trial(from / (from - to)), trusted(trusted_steps) {
@@ -253,22 +256,24 @@ public:
         double distance = HUGE_VAL;
         std::int64_t curve = -1; // -1 if no curve is near
     };
-    // Returns the nearest place on curves in the direction `along`, if its distance is below `most`. The curve `but` is
-    // ignored.
+    // Returns the place on the curves that is nearest to `place`, if its distance is below `most`. Only curves whose
+    // direction makes at most a right angle with `along` are searched. The curve with the index `but` is ignored.
     [[nodiscard]] Foot nearest(const glm::dvec3& place, const glm::dvec3& along, std::int64_t but = -1,
                                double most = HUGE_VAL) const;
-    // Returns the nearest curve in the direction `along` within `distance`, or -1.
+    // Returns the index of the curve that nearest() finds within `distance`, or -1.
     [[nodiscard]] std::int64_t passing(const glm::dvec3& place, const glm::dvec3& along, double distance,
                                        std::int64_t but = -1) const {
         return nearest(place, along, but, std::nextafter(distance, HUGE_VAL)).curve;
     }
-    // Returns whether a curve in the direction `along` is within `distance`. It looks first near the point `guess`, and
-    // sets `guess` to the point near which it finds a curve.
+    // Returns whether a curve is within `distance` of `place` and makes at most a right angle with `along`. The search
+    // begins near the point with the index `guess`. If it finds a curve, it sets `guess` to the index of the point near
+    // which the curve was found.
     [[nodiscard]] bool passes(const glm::dvec3& place, const glm::dvec3& along, double distance,
                               std::int64_t& guess) const;
 
 private:
-    // Examines the two pieces at a point. If their nearest place is nearer than `best`, sets `best` to it.
+    // Examines the two pieces that meet at a point. If their nearest place is nearer to `place` than `best`, sets
+    // `best` to it.
     void examine_adjacent_pieces(std::int64_t point, const glm::dvec3& place, const glm::dvec3& along,
                                  Foot& best) const noexcept;
 
@@ -330,8 +335,9 @@ private:
 [[nodiscard]] SurfaceLines facing_parts(base::Memory& memory, const SurfaceLines& lines, const View& view,
                                         bool outside);
 
-// Adds a point to each piece on which the surface turns from facing the eye to facing away. There, grad f is
-// perpendicular to the line of sight. Parts that end there meet the contours that pass there.
+// Adds a point to each piece on which the surface turns from facing the eye to facing away from it. At the added point
+// grad f is perpendicular to the line of sight. So a contour passes through the point, and the parts of the line that
+// end there meet the contour.
 [[nodiscard]] SurfaceLines with_turns(const base::Runtime& runtime, const SurfaceLines& lines,
                                       const implicit::Implicit& surface, const View& view);
 

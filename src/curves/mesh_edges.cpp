@@ -14,13 +14,13 @@ namespace hrbfnpr::curves {
 namespace {
 
 struct CutEdge {
-    std::int32_t kept, lost; // numbers of vertices
+    std::int32_t kept, lost; // indices of the vertices at the ends of the edge
 
     [[nodiscard]] auto operator<=>(const CutEdge&) const noexcept = default;
 };
 
-// Divides each triangle into one to four triangles. middle[e] is the vertex on edge e, the same for both sides of the
-// edge, or below 0 without such a vertex.
+// Divides each triangle into one to four triangles. middle[e] is the index of the vertex in the middle of half-edge e.
+// It is the same for both half-edges of an edge, and below 0 if the edge has no such vertex.
 void cut_at_middles(const base::Runtime& runtime, const base::Array<std::int32_t>& middle, SurfaceMesh& mesh) {
     HRBFNPR_ASSERT(middle.size() == mesh.corner.size());
     base::Array<std::int32_t> corner(runtime.memory);
@@ -108,8 +108,8 @@ std::int64_t opposite_of(const SurfaceMesh& mesh, std::int64_t edge) noexcept {
 base::Array<std::int32_t> find_neighbours(const base::Work& work, const base::Array<std::int32_t>& corner,
                                           std::int64_t vertices) {
     HRBFNPR_ASSERT(corner.size() % 3 == 0);
-    // Lists for each vertex the edges that start there. Edge e = 3 t + k goes from corner k of triangle t to the next
-    // corner.
+    // Lists for each vertex the half-edges that start there. Half-edge e = 3 t + k goes from corner k of triangle t to
+    // the next corner.
     base::Array<std::int64_t> begin(work.memory);
     base::resize_long(begin, vertices + 2, work);
     for (const std::int64_t e : work.over(corner.size())) {
@@ -179,7 +179,7 @@ ClippedMesh clip(const base::Work& work, const Level& level, const SurfaceMesh& 
     to.side = mesh.side;
     to.unresolved = mesh.unresolved;
     to.missed_seeds = mesh.missed_seeds;
-    base::Array<std::int32_t> number(work.memory, mesh.vertices()); // the new numbers of vertices that are kept
+    base::Array<std::int32_t> number(work.memory, mesh.vertices()); // for each vertex that is kept: its new index
     for (std::int32_t v = 0; v < mesh.vertices(); ++v) {
         if (!keeps(v)) continue;
         number[v] = static_cast<std::int32_t>(to.vertices());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Functions for the edges of a mesh: find_neighbours finds the triangle across each edge. halve_edges divides triangles
-// at the middles of edges that are too long. clip cuts them where a function g on the surface is 0. The triangles still
-// meet only in edges and corners. walk_chains finds chains of edges that a line crosses.
+// Functions for the edges of a mesh. find_neighbours finds the triangle across each edge. halve_edges divides triangles
+// at the middles of given edges. clip cuts triangles where a function g on the surface is 0. In the results, triangles
+// still meet only in edges and corners. walk_chains finds the chains of edges that lines on the mesh cross.
 #pragma once
 
 #include "base/operation.h"
@@ -11,7 +11,8 @@
 
 namespace hrbfnpr::curves {
 
-// ---- Edges: edge e leads from corner e % 3 of triangle e / 3 to the next corner.
+// ---- Half-edges: half-edge e leads from corner e % 3 of triangle e / 3 to the next corner.
+// Arguments named `edge` are indices of half-edges.
 
 [[nodiscard]] inline std::int64_t next_in_triangle(std::int64_t edge) noexcept {
     return edge % 3 == 2 ? edge - 2 : edge + 1;
@@ -23,22 +24,23 @@ namespace hrbfnpr::curves {
 [[nodiscard]] inline std::int32_t end_of(const SurfaceMesh& mesh, std::int64_t edge) noexcept {
     return start_of(mesh, next_in_triangle(edge));
 }
-// Returns the same edge as an edge of the adjacent triangle, or -1 at a border.
+// Returns the other half-edge of the same edge, which is in the adjacent triangle, or -1 at a border.
 [[nodiscard]] std::int64_t opposite_of(const SurfaceMesh& mesh, std::int64_t edge) noexcept;
-// Returns whether this edge is the first of the two sides of an edge. It is used to visit each edge once.
+// Returns whether this half-edge is in the triangle with the lower index, or at a border. This is true for one
+// half-edge of each edge, so it is used to visit each edge once.
 [[nodiscard]] inline bool is_first(const SurfaceMesh& mesh, std::int64_t edge) noexcept {
     return mesh.neighbour[edge] < 0 || mesh.neighbour[edge] > edge / 3;
 }
 
-// Computes SurfaceMesh::neighbour. The triangles must be oriented: no two of them may have an edge in the same
-// direction.
+// Computes SurfaceMesh::neighbour. The triangles must be oriented: no two triangles may contain the same half-edge,
+// with the same start and end.
 [[nodiscard]] base::Array<std::int32_t> find_neighbours(const base::Work& work, const base::Array<std::int32_t>& corner,
                                                         std::int64_t vertices);
 
 // Divides triangles at the middles of the given edges, and moves the middles onto the surface. Each edge is given by
-// one of its two sides. An edge is not divided if its middle would move farther than `farthest` times its length. With
-// `smooth`, it is also not divided if the gradient at the middle is opposite to those at its ends, as happens across a
-// thin wall. Returns whether any edge was divided.
+// one of its two half-edges. An edge is not divided if its middle would move farther than `farthest` times its length.
+// With `smooth`, it is also not divided if the gradient at the middle is opposite to those at its ends, as happens
+// across a thin wall. Returns whether any edge was divided.
 bool halve_edges(const base::Work& work, const implicit::Implicit& implicit, const base::Array<std::int64_t>& edges,
                  double farthest, bool smooth, SurfaceMesh& mesh);
 
@@ -58,10 +60,11 @@ struct ClippedMesh {
 
 // ---- Chains of edges
 
-// Follows lines across triangles, and returns them as chains of edges. `crossed` gives the two edges of each triangle
-// that a line crosses, as bits 1, 2 and 4, or 0; afterwards all are 0. may_enter(edge) returns whether a walk may enter
-// the edge's triangle through the edge. A chain contains the edge through which each triangle is left. An open chain
-// begins with the edge through which its first triangle is entered.
+// Follows lines across triangles, and returns the chains of half-edges that they cross. crossed[t] has the bits 1, 2
+// and 4 for the edges of triangle t: two bits are set if a line crosses the triangle, else none. At the end, all
+// elements are 0. may_enter(edge) returns whether a walk may enter a triangle through this half-edge of it. A chain
+// contains, for each triangle, the half-edge through which the walk leaves it. An open chain begins with the half-edge
+// through which the walk enters the first triangle.
 template <class MayEnter>
 [[nodiscard]] Chains<std::int64_t> walk_chains(const SurfaceMesh& mesh, base::Array<std::uint8_t>& crossed,
                                                MayEnter&& may_enter) {
@@ -100,16 +103,16 @@ template <class MayEnter>
     return chains;
 }
 
-// A bead: a place on an edge of the mesh where g changes its sign.
+// A crossing: a place on an edge of the mesh where g changes its sign.
 struct EdgeCrossing {
-    std::int32_t negative, positive; // the numbers of the edge's two vertices
+    std::int32_t negative, positive; // the indices of the edge's two vertices
     Bracket edge;                    // the positions of the two vertices
-    glm::dvec3 place;                // by linear interpolation
-    glm::dvec3 way;                  // The direction of the chain, from the previous bead to the next one.
+    glm::dvec3 place;                // the place of the crossing, by linear interpolation
+    glm::dvec3 way;                  // the direction of the chain, from the previous crossing to the next one
 };
 
-// Finds the beads along each chain of edges, from the values of g at the vertices. The value 0 counts as positive. As
-// seen from outside, negative g is to the left of a chain, so chains run in the direction of grad f x grad g. The
+// Finds the crossings along each chain of edges, from the values of g at the vertices. The value 0 counts as positive.
+// As seen from outside, negative g is to the left of a chain, so chains run in the direction of grad f x grad g. The
 // result has the same bits for any number of threads.
 [[nodiscard]] Chains<EdgeCrossing> find_edge_crossings(const base::Runtime& runtime, const SurfaceMesh& mesh,
                                                        const base::Array<double>& level);

@@ -33,7 +33,7 @@ struct Line {
     glm::dvec3 direction{0.0};      // unit vector
     glm::dvec3 right{0.0}, up{0.0}; // unit vectors, perpendicular to the direction and to each other
     double low = 0.0, high = -1.0;
-    // True if the line ends at the segment's end, false if it ends at the region's wall.
+    // True if the line ends where the segment ends, false if it ends at the boundary of the region.
     bool low_is_end = false, high_is_end = false;
 
     // Returns the projection along the line of a point relative to the origin.
@@ -79,7 +79,7 @@ Line line_of(const geometry::Bounds& region, const glm::dvec3& from, const glm::
 struct Span {
     double begin, end;
     std::int64_t line;
-    std::int64_t places;    // the number of places, in order from begin to end, at which f is evaluated first
+    std::int64_t places;    // the number of places at which f is evaluated first; they are in order from begin to end
     std::int32_t crossings; // the number of times that the line crosses triangles in the span
     bool line_begins, line_ends;
 };
@@ -201,8 +201,8 @@ void merge_crossings(double same, base::Array<TriangleCrossing>& crossings) noex
     crossings.resize(kept);
 }
 
-// Adds the spans of the line with the number `number`. There is a place between any two crossings, so that each sheet
-// has a separate piece.
+// Adds the spans of the line with the index `number`. Between any two crossings there is a place where f is evaluated.
+// So each crossing lies in a piece of its own.
 void find_spans(const SurfaceMesh& mesh, const geometry::BoxTree& tree, const base::Array<double>& bulge,
                 const Line& line, std::int64_t number, Spans& found) {
     if (!(line.low < line.high)) return;
@@ -291,8 +291,8 @@ struct Field {
     geometry::VecArray gradient;
 };
 
-// Decides from the values and slopes at the ends of a piece: NaN if the piece has no root, -1 if it has one root, else
-// the place where it must be split.
+// Examines the values and slopes at the ends of a piece. Returns NaN if the piece has no root, -1 if it has one root,
+// else the place where it must be split.
 double split_of(const Place& a, const Place& b) noexcept {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const double length = b.at - a.at;
@@ -316,7 +316,8 @@ double split_of(const Place& a, const Place& b) noexcept {
     // A quarter of the discriminant of the cubic's derivative d0 + 2 second t + 3 third t^2.
     const double root = second * second - 3.0 * third * d0;
     if (!(root >= 0.0)) return none;
-    // The derivative increases at this root, so it is the minimum. The choice of two formulas avoids cancellation.
+    // The derivative increases at this root t, so the cubic has its minimum there. Two formulas give the same root; the
+    // one without cancellation is used.
     const double t = second > 0.0 ? -d0 / (second + std::sqrt(root)) : (std::sqrt(root) - second) / (3.0 * third);
     if (!(t > 0.0 && t < 1.0) || f0 + t * (d0 + t * (second + t * third)) > 0.5 * std::min(f0, f1)) return none;
     return std::clamp(t, 0.05, 0.95);

@@ -15,7 +15,7 @@
 
 namespace hrbfnpr::curves {
 
-// The data for counting on a mesh, which must outlive it. It never changes, so it is thread-safe.
+// The data for counting on a mesh. The mesh must outlive this object. The object never changes, so it is thread-safe.
 class SheetCounter {
 public:
     SheetCounter(const base::Work& work, const SurfaceMesh& mesh);
@@ -28,9 +28,9 @@ public:
     // Counts the crossings of the open segments from[i] to to[i] with f = 0 inside the mesh. `to` may lie on the
     // surface: crossings closer to it than clear[i] are not counted. Resizes `answer`.
     //
-    // Triangles give the spans of a segment that are searched. In these, crossings are counted in two ways: by f and
-    // its slope along the segment, and by triangles. Near an end of the segment only f is used, because triangles are
-    // not close enough to the surface there.
+    // Triangles give the spans of a segment in which crossings may lie. Crossings in the spans are counted in two ways:
+    // by f and its slope along the segment, and by triangles. Near an end of the segment only f is used, because
+    // triangles are not close enough to the surface there.
     void count(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& from,
                const geometry::VecArray& to, const base::Array<double>& clear, base::Array<Result>& answer) const;
 

@@ -32,7 +32,8 @@ namespace {
 
 using Cell = geometry::CellGrid::Cell;
 
-constexpr std::int64_t most_surface_triangles = std::int64_t{1} << 28; // The corners of triangles are 32-bit indices.
+// The limit keeps the indices of corners within 32 bits.
+constexpr std::int64_t most_surface_triangles = std::int64_t{1} << 28;
 
 // ---- The lattice
 
@@ -81,9 +82,9 @@ Lattice lattice_of(const MeshSettings& settings) {
 // ---- Tetrahedra
 
 // A cube is cut into six tetrahedra around its diagonal (Kuhn 1960). All cubes are cut in the same way, so that
-// tetrahedra of adjacent cubes share their faces. Bits number the corners of the cube: x, y, z. Each tetrahedron has
-// the corners of a path from corner 0 to corner 7 that adds one bit at a time. So every edge leads to a corner with
-// more bits.
+// tetrahedra of adjacent cubes share their faces. The index of a corner of the cube has three bits, one for each of x,
+// y and z. A tetrahedron has the four corners of a path from corner 0 to corner 7, on which each step sets one more
+// bit. So the bits of an edge's lower corner are a subset of the bits of its upper corner.
 struct Tetrahedron {
     std::array<std::uint8_t, 4> corner;
     std::uint8_t corners; // the corners as a set of bits
@@ -165,12 +166,12 @@ struct CrossedCells {
     }
 };
 
-// Assigns numbers to corners, in the order in which they are first asked for.
+// Assigns indices to corners, in the order in which number_of() is first called for them.
 class CornerMap {
 public:
     explicit CornerMap(base::Memory& memory) noexcept : table_(memory) {}
 
-    // Returns the number of a corner. A new corner gets the next number.
+    // Returns the index of a corner. A new corner gets the next free index.
     std::int32_t number_of(std::uint64_t packed, const base::Progress& progress) {
         if (2 * (count_ + 1) > table_.size()) grow(progress);
         Entry& entry = place(table_, packed + 1);
@@ -282,7 +283,7 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
 
     CornerMap corners(work.memory);
     base::Array<CrossedCell> wave(work.memory);
-    geometry::VecArray fresh(work.memory); // the corners that are new in this wave
+    geometry::VecArray fresh(work.memory); // the positions of the corners that are new in this wave
     base::Array<double> value(work.memory);
     for (bool seeded = true; !next.empty(); seeded = false) {
         work.check();
@@ -318,8 +319,8 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
             cells.triangles += triangles;
             for (const Face& face : faces)
                 if ((negative & face.corners) != 0 && (~negative & face.corners) != 0) go_to(sum(place, face.way));
-            // Near the surface, the corners of a seed's cell may not show a crossing. The flood then
-            // starts in the adjacent cells.
+            // The surface may pass through a seed's cell although f has the same sign at all corners of the cell. The
+            // flood then also starts in the adjacent cells.
             if (seeded && triangles == 0)
                 for (int step = 0; step < geometry::neighbour_count; ++step) go_to(geometry::neighbour(place, step));
         }
@@ -394,7 +395,7 @@ struct CrossedEdge {
     std::int32_t from, to;
 };
 
-// Returns the number of an edge. It consists of the lower corner and the direction, which is one of 7.
+// Returns the index of an edge, computed from the index of its lower corner and its direction. There are 7 directions.
 std::int64_t edge_number(const CrossedCell& cell, const Tetrahedron& tetrahedron,
                          const std::array<std::uint8_t, 2>& between) noexcept {
     const std::uint8_t from = tetrahedron.corner[between[0]];
@@ -434,8 +435,8 @@ struct RootSearch {
     int evaluations = 0;
 };
 
-// Finds a root of a cubic by Newton's method. The cubic has the values at the ends of the bracket, and the value and
-// slope of f at the last place.
+// Finds a root of a cubic by Newton's method. The cubic has the values of f at the ends of the bracket, and the value
+// and slope of f at the place that was evaluated last.
 double root_of_cubic(const RootSearch& search, double value, double slope) noexcept {
     const double x = search.low - search.at;
     const double y = search.high - search.at;
@@ -521,7 +522,7 @@ std::int64_t find_some_vertices(const implicit::Implicit& implicit, const Crosse
     return unresolved;
 }
 
-// Sets position, gradient and unresolved of the mesh. Each edge has one vertex.
+// Sets `position`, `gradient` and `unresolved` of the mesh. Each crossed edge has one vertex.
 void find_vertices(const base::Work& work, const implicit::Implicit& implicit, const CrossedCells& cells,
                    const base::Array<CrossedEdge>& edges, double tolerance, SurfaceMesh& mesh) {
     const std::int64_t count = edges.size();

@@ -31,16 +31,18 @@ struct SurfaceMesh {
 
     geometry::VecArray position; // the vertices; all of them except `unresolved` ones are on the surface
     geometry::VecArray gradient; // grad f at each vertex
-    // 3 numbers of vertices for each triangle, counter-clockwise as seen from where f > 0.
+    // The indices of the three vertices of each triangle, counter-clockwise as seen from where f > 0.
     base::Array<std::int32_t> corner;
-    // 3 numbers for each triangle: the triangle across the edge from corner k to k + 1, or -1.
+    // For each triangle, three indices of triangles: element k is the triangle across the edge from corner k to corner
+    // k + 1, or -1 at a border.
     base::Array<std::int32_t> neighbour;
     geometry::Bounds region;
     const implicit::Domain* domain = nullptr; // the part of the region in which the surface exists; null: everywhere
     double side = 0.0;                        // the longest side of a cell
     std::int64_t unresolved = 0; // the number of vertices that are not on the surface, or whose gradient is 0
-    // The number of seeds at most a side away from the surface that have no vertex near them whose gradient points the
-    // same way. The surface there is too thin or too small for the cells.
+    // The number of seeds without a part of the mesh near them. Such a seed is at most a side away from the surface,
+    // but near it there is no vertex whose gradient makes less than a right angle with the gradient at the seed. The
+    // surface there is too thin or too small for the cells.
     std::int64_t missed_seeds = 0;
     // The number of triangles that face away from the gradient at one of their corners. The surface there has details
     // smaller than a cell, such as a thin wall.

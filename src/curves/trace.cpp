@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The steps of tracing:
 //
-//   find_edge_crossings      (mesh_edges.h) finds the mesh's changes of sign, as places and directions
+//   find_edge_crossings      (mesh_edges.h) finds crossings: places on edges of the mesh where g changes its sign
 //   runs_from                makes runs of points on curves, from crossings or from the curves of the previous view: it
-//                            brings all starts onto curves at once, and halves gaps between them until a cubic links
-//                            their ends or they are parted
-//   follow                   traces by predictor and corrector from the ends of runs to where the next run begins
-//   crossings_without_curve  finds crossings without a curve near them; curves start from these by Newton's steps, or
-//                            by bisection
+//                            moves all starts onto curves at once, and halves each gap between two points until a
+//                            cubic links them or it is known that the curve does not connect them
+//   follow                   follows the curve from the end of each run to the beginning of the next run, with a
+//                            predictor and a corrector
+//   crossings_without_curve  finds crossings without a curve near them; Newton's method or bisection moves them onto
+//                            further curves
 //   find_small_loops         finds curves between the mesh's vertices, around extrema of g
 //   trace_on_finer_mesh      makes a finer mesh around changes of sign for which no curve was found
 //   clip                     (curve_changes.h) keeps the parts of curves that lie on the surface
@@ -95,8 +96,8 @@ Curves without_duplicates(const base::Runtime& runtime, const Curves& runs, doub
     return kept;
 }
 
-// Chooses some beads of each chain as starts, at a fixed share of the longest step from each other. Sets only their
-// positions.
+// Chooses some crossings of each chain as starts. The distance between two starts is a fixed share of the longest step.
+// Sets only the positions of the starts.
 Curves starts_of(const base::Runtime& runtime, const SurfaceMesh& mesh, const Chains<EdgeCrossing>& crossings,
                  const TraceSettings& settings) {
     Curves starts(runtime.memory);
@@ -114,8 +115,8 @@ Curves starts_of(const base::Runtime& runtime, const SurfaceMesh& mesh, const Ch
     return starts;
 }
 
-// Leaves out some of the starts whose directions are known, so that the others are about as far apart as starts that
-// are chosen from beads (starts_of()). Where the curve turns, they stay closer together.
+// Leaves out some of the starts whose directions are known. The distances between the remaining starts are about as
+// long as in starts_of(), but shorter where the curve turns.
 Curves thinned(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curves& starts,
                const TraceSettings& settings) {
     const double apart = curve_tuning.chosen_apart * settings.longest * mesh.side;
@@ -219,11 +220,11 @@ enum class PathEnd : std::uint8_t { none, at_run, border, broken };
 
 // A curve that is being followed.
 struct Path {
-    std::int64_t start; // the number of the run at which the path starts
+    std::int64_t start; // the index of the run at which the path starts
     double sense;       // 1 for a path that is followed forwards, -1 backwards
     CurvePoint last;
     glm::dvec3 tangent;   // unit tangent in the direction of the path
-    glm::dvec3 bend{0.0}; // the change of the tangent per length in the last step
+    glm::dvec3 bend{0.0}; // the change of the tangent in the last step, divided by the length of the step
     double step;
     CurvePoint trial;
     glm::dvec3 predicted{0.0};
@@ -258,14 +259,15 @@ struct Paths {
     const TraceSettings& settings;
     base::Array<Path> path;
     base::Array<PathPoint> passed;
-    // The two paths of each run, and the run whose path leads to it; -1: no path or run.
+    // For each run: the indices of its path forwards and of its path backwards, and of the run from which a path leads
+    // to it. -1: there is none.
     base::Array<std::int64_t> forward, backward, before;
     base::Array<std::uint8_t> passed_by; // 1 if another path passes this run, which is then left out
     base::Array<std::int32_t> run_of;    // for each point of the runs: its run
     geometry::PointGrid grid;            // a grid of the positions of the runs' points
 };
 
-// Returns the largest turn that is allowed in a step of this length, in sides.
+// Returns the largest turn that is allowed in a step, in radians. The length of the step is in sides.
 double turn_limit(const TraceSettings& settings, double step) noexcept {
     return step < curve_tuning.kink_length ? curve_tuning.sharpest_kink : settings.turn;
 }
@@ -461,9 +463,8 @@ void follow(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
         std::int64_t& before = paths.before[path.met];
         if (before < 0 || path.met_point < paths.path[paths.forward[before]].met_point) before = path.start;
     }
-    // If two paths meet the same run, and no path leads to the run where one of them starts, the other path has passed
-    // that starting run at a kink. The starting run is then left out. If a curve is lost by this, its changes of sign
-    // remain uncovered.
+    // Two paths may meet the same run. If no path leads to the run A at which one of them starts, the other path has
+    // passed A at a kink. A is then left out. If a curve is lost by this, no curve is found near its changes of sign.
     for (std::int64_t r = 0; r < runs.count(); ++r) {
         const std::int64_t met = runs.closed[r] != 0 ? -1 : paths.path[paths.forward[r]].met;
         if (met < 0 || paths.before[met] == r) continue;
@@ -497,8 +498,9 @@ bool all_neighbours(const SurfaceMesh& mesh, std::int64_t triangle, std::int32_t
     return true;
 }
 
-// Returns whether g has one sign at the corners of a triangle, and |g| at a corner is less than its difference from
-// another corner. The extremum of a quadratic is then less than half an edge away, and lower by a quarter of the
+// Returns whether the extremum of g may lie near a corner of a triangle: g has one sign at all corners, and the least
+// |g| at a corner is less than the difference between the greatest and the least |g|. If g is quadratic, its extremum
+// is then less than half an edge away from the corner with the least |g|, and |g| there is lower by a quarter of the
 // difference. The function runs for every triangle, so it has no branches.
 bool is_low(double a, double b, double c) noexcept {
     const double least = std::min(std::abs(a), std::min(std::abs(b), std::abs(c)));
@@ -507,8 +509,8 @@ bool is_low(double a, double b, double c) noexcept {
     return (unsigned(least < most - least) & ~parted) != 0;
 }
 
-// Returns in ascending order the vertices where |g| is low and not above that of any neighbour, and where all
-// neighbours have the same sign of g.
+// Returns the indices of vertices in ascending order. At these vertices |g| is low (see is_low()) and not greater than
+// at any neighbour, and all neighbours have the same sign of g.
 base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMesh& mesh,
                                    const base::Array<double>& level) {
     constexpr std::int64_t triangles_a_task = 8192;
@@ -647,7 +649,8 @@ base::Array<EdgeCrossing> crossings_without_curve(const TraceState& state, const
     const NearCurves near = state.near_curves();
     base::Array<std::uint8_t> is_covered(state.work.memory, crossings.size());
     state.work.for_chunks(crossings.size(), 512, [&](std::int64_t begin, std::int64_t end) {
-        std::int64_t guess = 0; // Consecutive beads lie along a curve, so the search begins near the last result.
+        // Consecutive crossings lie along a curve, so each search begins near the last result.
+        std::int64_t guess = 0;
         for (std::int64_t i = begin; i < end; ++i)
             is_covered[i] =
                 near.passes(crossings[i].place, crossings[i].way, curve_tuning.covered * state.mesh.side, guess) ? 1
@@ -659,9 +662,9 @@ base::Array<EdgeCrossing> crossings_without_curve(const TraceState& state, const
     return left;
 }
 
-// Returns for each point whether it is on a known curve. Near samples, a cubic may differ from its curve by some
-// percent of its length. The nearest place on the cubic is then moved onto the curve, and the point must be on the
-// tangent there.
+// Returns for each point whether it is on a known curve. Near samples, the distance between a cubic and its curve may
+// be some percent of the cubic's length. So the place on the cubic that is nearest to the point is first moved onto the
+// curve. The point is on the curve if it lies on the tangent at the moved place.
 base::Array<std::uint8_t> on_curves(TraceState& state, const base::Array<CurvePoint>& points) {
     const double side = state.mesh.side;
     const NearCurves near = state.near_curves();
@@ -687,8 +690,9 @@ base::Array<std::uint8_t> on_curves(TraceState& state, const base::Array<CurvePo
     return on;
 }
 
-// Moves points onto curves. From points that are not on a known curve, it follows the curve, once for each place.
-// Returns the indices of the points that did not reach a curve.
+// Moves points onto curves. Follows a curve from each moved point that is not on a known curve. If several points are
+// moved to the same place, the curve is followed only once. Returns the indices of the points that did not reach a
+// curve.
 base::Array<std::int64_t> add_curves_from(TraceState& state, base::Array<CurvePoint> points) {
     base::Memory& memory = state.work.memory;
     const double side = state.mesh.side;
@@ -732,7 +736,8 @@ base::Array<Bracket> add_curves_from(TraceState& state, const base::Array<Bracke
     return lost;
 }
 
-// Follows curves from uncovered beads. Newton's method moves the beads onto curves; where it fails, bisection is used.
+// Follows curves from the crossings that have no curve near them. Newton's method moves the crossings onto curves;
+// where it fails, bisection is used.
 base::Array<Bracket> add_curves_from(TraceState& state, const base::Array<EdgeCrossing>& crossings) {
     const base::Array<EdgeCrossing> left = crossings_without_curve(state, crossings);
     base::Array<CurvePoint> points(state.work.memory, left.size());

@@ -15,22 +15,22 @@ struct TraceSettings {
     double longest = 1.0;    // the longest step, in mesh sides
     double shortest = 1e-4;  // the shortest step, in mesh sides; a curve that needs shorter steps is abandoned
     double turn = 0.33;      // the largest turn between points, in radians
-    double tolerance = 2e-4; // in mesh sides; a Newton step below this is the last one
+    double tolerance = 2e-4; // A Newton step shorter than this is the last one, in mesh sides.
     std::int32_t evaluation_limit = 20000; // the largest number of evaluations for each start
 };
 
 struct TraceReport {
     std::int64_t starts = 0;
     std::int64_t evaluations = 0;
-    std::int64_t broken = 0; // curves that end inside the surface, because steps became too short
-    std::int64_t added = 0;  // starts on curves that the first starts missed
-    std::int64_t loops = 0;  // the added starts on loops between the vertices of the mesh
-    std::int64_t missed = 0; // changes of sign without a curve near them
+    std::int64_t broken = 0; // the number of curves that end inside the surface, because steps became too short
+    std::int64_t added = 0;  // the number of starts on curves that the first starts missed
+    std::int64_t loops = 0;  // how many of the added starts are on loops between the vertices of the mesh
+    std::int64_t missed = 0; // the number of changes of sign without a curve near them
 };
 
-// Traces the curves. `near` has places near the curves, in order along them, such as moved_contours() of the previous
-// view. They are the first starts. Curves that they miss are found from the changes of sign on the mesh. The result has
-// the same bits for any number of threads.
+// Traces the curves. `near` has places near the curves, in order along each curve, for example the result of
+// moved_contours() for the previous view. These places are the first starts. Curves without a start are found from the
+// changes of sign on the mesh. The result has the same bits for any number of threads.
 [[nodiscard]] Curves trace(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
                            const TraceSettings& settings, TraceReport& report, const Curves* near = nullptr);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The tuning constants for meshing a surface and for tracing curves on it. Units: a side is the longest side of the
-// mesh's cells, a diagonal is that of the surface's bounds. Set by scripts/bench lines on fitted scans, knots, tori and
-// bumpy spheres, and on surfaces whose contours are known.
+// mesh's cells; a diagonal is the diagonal of the surface's bounds. The constants were chosen with scripts/bench lines
+// on fitted scans, knots, tori and bumpy spheres, and on surfaces whose contours are known.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@ namespace hrbfnpr::curves {
 struct CurveTuning {
     // ---- The mesh
 
-    // Places closer than this, in sides, count as one, and a place this close to the surface or to the region's wall is
-    // on it. It applies to seeds, starts of curves, ends of paths, and crossings of lines with triangles. Larger: fewer
-    // evaluations; small loops and close sheets may be missed.
+    // Two places closer together than this, in sides, count as one place. A place closer than this to the surface or to
+    // the wall of the region counts as lying on it. The limit applies to seeds, starts of curves, ends of paths, and
+    // crossings of lines with triangles. Larger: fewer evaluations; small loops and close sheets may be missed.
     double close = 1e-3;
     // A seed counts as missed if no vertex of its sheet is within this distance, in sides. Larger: thin parts are
     // reported less often.
@@ -34,8 +34,8 @@ struct CurveTuning {
     // The largest distance, in sides, between a cut and the place interpolated from the values at the ends of the edge.
     // Larger: cuts may jump to another part of the border.
     double farthest_cut = 0.35;
-    // The number of bisections between two places after Newton's method has failed. They give a better start, or the
-    // cut of a mesh. Larger: more evaluations.
+    // The number of bisections between two places after Newton's method has failed. `halvings` are made to find a
+    // better start of a curve, `cut_halvings` to find the place where a mesh is cut. Larger: more evaluations.
     int halvings = 8;
     int cut_halvings = 30;
 
@@ -44,8 +44,8 @@ struct CurveTuning {
     // Within this distance from the border, in sides, the end of the surface is tested at each point. Larger: more
     // evaluations of the support.
     double border_reach = 3.0;
-    // A place of a sheet belongs to the whole surface if it is at most this far from it, in sides. Larger: curves may
-    // continue beyond a crease.
+    // A place on a sheet also lies on the whole surface if the distance between the place and the whole surface is at
+    // most this, in sides. Larger: curves may continue beyond a crease.
     double on_sheet = 1e-7;
 
     // ---- Newton's steps
@@ -59,13 +59,13 @@ struct CurveTuning {
 
     // ---- Starts
 
-    // The largest distance, in sides, between a start and the point on its curve. Larger: a start may be led to an
+    // The largest distance, in sides, by which a start may be moved onto a curve. Larger: a start may be moved onto an
     // adjacent curve.
     double start_reach = 1.0;
     // A change of sign is covered if a curve passes within this distance, in sides. Larger: close curves may be missed.
     double covered = 0.35;
-    // A start or run this near to a known curve or a longer run belongs to it, in sides. Larger: close curves may be
-    // missed; smaller: curves are found twice.
+    // A start within this distance of a known curve, in sides, belongs to that curve. A run within this distance of a
+    // longer run repeats the longer run. Larger: close curves may be missed; smaller: curves are found twice.
     double found_already = 0.02;
     // Around changes of sign without a curve, the mesh is made again with cells smaller by this factor, but with at
     // most `most_cells` along the diagonal of a box. Larger: more time, fewer curves missed.
@@ -79,18 +79,19 @@ struct CurveTuning {
 
     // The distance between starts, as a share of the longest step. Larger: fewer starts, and more gaps to fill.
     double chosen_apart = 0.65;
-    // Points closer than this count as one, as a share of the longest step, except where the curve turns. Larger: fewer
-    // points.
+    // Points closer together than this count as one point, except where the curve turns. The distance is a share of the
+    // longest step. Larger: fewer points.
     double least_run = 0.1;
-    // Points farther apart than this are not linked, in longest steps. Larger: more gaps are tried.
+    // A gap between two points is not filled by halving if it is wider than this, in longest steps. Larger: more gaps
+    // are tried.
     double widest_gap = 3.0;
-    // A point of the previous view is kept if the curve has turned by this share of the allowed turn since the last
-    // one. Larger: fewer points.
+    // A point of the previous view is kept if the curve has turned since the last kept point by this share of the
+    // allowed turn. Larger: fewer points.
     double kept_turn = 0.8;
-    // The largest angle between the chord of a piece and its tangents, as a share of the allowed turn. On an arc it is
-    // half of the turn. Larger: cubics may leave the curve.
+    // The largest angle between the chord of a piece and its tangents, as a share of the allowed turn. On a circular
+    // arc, this angle is half of the arc's turn. Larger: cubics may leave the curve.
     double off_chord = 0.75;
-    // A gap is halved at most this many times, which leads to about `kink_length`.
+    // A gap is halved at most this many times. Its parts are then about as short as `kink_length`.
     int gap_halvings = 10;
 
     // ---- Following
@@ -102,8 +103,9 @@ struct CurveTuning {
     double step_safety = 0.7;
     // A step fails if it does not converge within this many corrections.
     int corrector_steps = 5;
-    // Corrections end when one is shorter than this share of the step. The next correction would be below 1e-6 sides.
-    // Points must be that close to the surface, because rays to them would otherwise cross it beside them.
+    // Corrections end when a correction is shorter than this share of the step. The next correction would be shorter
+    // than 1e-6 sides. Points must be so close to the surface, because a ray to a point farther away would cross the
+    // surface near the point.
     double converged = 1e-3;
     // A path meets a point if the point's distance from the cubic of a step is at most this share of the step. Larger:
     // paths may end on a close curve.
@@ -123,7 +125,8 @@ struct CurveTuning {
     // The step for finite differences of grad g, in sides.
     double probe = 0.05;
     // A step towards an extremum of g is at most `longest_search` long. The extremum must be within `farthest_extremum`
-    // of its vertex. Both are in sides. Larger: more evaluations, extrema of other vertices.
+    // of the vertex from which it is searched for. Both are in sides. Larger: more evaluations, and extrema that belong
+    // to other vertices.
     double longest_search = 0.5;
     double farthest_extremum = 1.5;
     int extremum_steps = 5;
@@ -136,7 +139,8 @@ struct CurveTuning {
     // A point of a cubic is on the curve if the Newton step there is shorter than this, in lengths of the piece.
     // Larger: fewer evaluations, points less exact.
     double near_curve = 2e-4;
-    // A point that moves farther from its cubic than this belongs to another curve, in lengths of the piece.
+    // A point that moves farther than this from the cubic of its piece belongs to another curve. The distance is in
+    // lengths of the piece.
     double astray = 0.3;
     // A piece has no cusp if the sine of the angle between curve and line of sight is above this at both ends, because
     // a piece turns by at most a third of a radian. Larger: more pieces are examined.
@@ -146,7 +150,7 @@ struct CurveTuning {
     double at_end = 1e-2;
     double at_point = 1e-6;
     // A piece is halved at most `deepest_piece` times, and at most `most_added` points are added per piece on average.
-    // An eye on the surface would need more.
+    // Only an eye on the surface would need more.
     int deepest_piece = 12;
     std::int64_t most_added = 16;
 
@@ -160,15 +164,16 @@ struct CurveTuning {
     double place_spacing = 0.5;
     // Two spans are merged if the gap between them is smaller than this, in sides.
     double span_gap = 0.05;
-    // A place this near to the surface, in diagonals, is on the surface, because prepared values have errors of about
-    // 1e-9.
+    // A place within this distance of the surface, in diagonals, counts as lying on the surface, because the errors of
+    // prepared evaluation are about 1e-9.
     double root_noise = 1e-9;
     // A segment touches the surface if it is within `touching` of it, in diagonals, and the sine of the angle between
     // them is below `along_surface`. Larger: more answers are uncertain.
     double touching = 2e-8;
     double along_surface = 0.02;
-    // If a segment ends on the surface, and the sine of its angle with the surface is at least this, the slope of f
-    // decides on which side it is.
+    // If a segment ends on the surface, the slope of f along the segment tells whether f is positive or negative just
+    // inside the segment. This is certain if the sine of the angle between the segment and the surface is at least
+    // this.
     double leaves_surface = 1e-4;
     // A root is on the border of the surface if |Domain::beyond()| there is at most this.
     double on_border = 1e-6;

@@ -28,12 +28,13 @@ struct GroupSearch {
     const CsgOp* op;
     PointBatch points;
     Register* to;
-    double sign;            // -1 if the group takes the largest value
+    double sign;            // 1 if the group is a minimum, -1 if it is a maximum
     double best[csg_block]; // the least value of sign * f until now
     double slack[csg_block];
-    std::int32_t least_member[csg_block];     // the member with that value; -1: none yet
-    std::int32_t nearest[csg_block];          // the member that was evaluated first
-    std::int32_t lane[csg_block];             // points of the block; those still being searched come first
+    std::int32_t least_member[csg_block]; // the member with that value; -1: none yet
+    std::int32_t nearest[csg_block];      // the member that was evaluated first
+    // indices of points in the block; the points that are still being searched come first
+    std::int32_t lane[csg_block];
     PointLanes<std::size_t{csg_block}> asked; // the points at which a member is evaluated
 };
 
@@ -75,7 +76,8 @@ namespace {
 
 class StepRunner {
 public:
-    // `columns` is 1 for values, 4 for values and gradients, 10 for Hessians, too.
+    // `columns` is how many numbers are computed for each point: 1 for the value, 4 with the gradient, 10 with the
+    // Hessian.
     StepRunner(const CsgPlan& plan, std::span<const Implicit* const> leaves, CsgScratch& scratch, int columns,
                bool sheet)
         : plan_(plan), leaves_(leaves), scratch_(scratch), columns_(columns), wants_sheet_(sheet) {
@@ -314,11 +316,11 @@ void StepRunner::evaluate_nearest(std::int32_t root, GroupSearch& search) {
 }
 
 // Walks down the tree of boxes. At each box it keeps the points at which a member in the box may have a value that is
-// lower or equal.
+// not greater than the least value found so far.
 void StepRunner::evaluate_others(std::int32_t root, GroupSearch& search) {
     struct Part {
         std::int32_t node;
-        std::int64_t count; // the number of points that are still searched; they come first
+        std::int64_t count; // the number of points that are still being searched; these points come first
     };
     std::array<Part, CsgBoxTree::deepest> waiting;
     std::size_t parts = 0;

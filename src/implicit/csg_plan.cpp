@@ -48,8 +48,8 @@ base::Array<Frame> frames_of(base::Memory& memory, const CsgTree& tree) {
     return frames;
 }
 
-// An op, with bounds of its solid. For `drawn`, a model's bounds are the box in which it is drawn; for `whole`, the box
-// that contains its whole surface.
+// An op, with two bounds of its solid. They differ in the box that is taken for a model: `drawn` uses the box in which
+// the model is drawn, `whole` the box that contains its whole surface.
 struct BoundedOp {
     CsgOp op;
     CsgReach drawn, whole;
@@ -280,8 +280,8 @@ bool CsgPlan::is_finite() const noexcept {
     });
 }
 
-// Orders the operands: the one that needs more registers comes first. A model comes last, because the other operand may
-// show that the model is not needed.
+// Orders the operands of an op: the operand that needs more registers comes first. A model comes last, because the
+// other operand may show that the model is not needed.
 void CsgPlan::add_steps(std::int32_t op, std::int32_t only, base::Array<CsgStep>& to,
                         base::Array<Pending>& pending) const {
     HRBFNPR_ASSERT(op >= 0 && op < ops.size() && only < ops[op].sheets);
@@ -323,7 +323,7 @@ void CsgPlan::add_steps(std::int32_t op, std::int32_t only, base::Array<CsgStep>
     }
 }
 
-// Splits the items into two halves along the axis on which their centres are spread most.
+// Splits the items into two halves along the axis on which their centres are spread most. Adds a tree of each half.
 std::int32_t CsgBoxTree::add(std::span<Item> items) {
     if (items.empty()) return -1;
     if (items.size() == 1) {

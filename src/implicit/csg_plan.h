@@ -15,7 +15,7 @@ namespace hrbfnpr::implicit {
 // A leaf that is a model, with the data that the plan needs.
 struct CsgModel {
     geometry::Bounds bounds; // the box in which the model's surface is drawn
-    geometry::Bounds region; // the box that contains the model's whole surface, whatever f is outside
+    geometry::Bounds region; // the box that contains the model's whole surface; outside, f may have any values
     std::int32_t sheets = 1;
     double lipschitz = 0.0; // a bound on |grad f|; 0: unknown
 };
@@ -32,7 +32,7 @@ struct CsgOp {
     bool merged = false; // true if the number of sheets exceeds 32 bits; then all sheets count as one
     Blend blend;
     double thickness = 0.0;
-    double add = 0.0; // a number that is added to the result
+    double add = 0.0; // the number that is added to the result of the op
     double lipschitz = 1.0;
 
     [[nodiscard]] bool is_leaf() const noexcept { return kind <= Kind::model; }
@@ -46,11 +46,12 @@ struct CsgPlace {
     glm::dmat3 to_local{1.0};
     glm::dvec3 shift{0.0};
     double scale = 1.0; // negative if the leaf is turned inside out
-    CsgShape shape;     // a model's box
+    CsgShape shape;     // the primitive, or the box of the model
     std::int32_t model = -1;
     std::int32_t model_sheets = 0;
     glm::dvec3 centre{0.0}; // centre of the model's box
-    CsgReach reach;         // bounds of the model's box before it is turned inside out
+    // bounds of the model's box in the coordinates of the tree, before the leaf is turned inside out
+    CsgReach reach;
 
     [[nodiscard]] glm::dvec3 local(const glm::dvec3& p) const noexcept { return to_local * p + shift; }
     // Returns the signed distance from a model's box, positive outside, and writes the nearest side. `p` is in the
@@ -104,7 +105,8 @@ public:
         std::int32_t first = -1, second = -1;
 
         [[nodiscard]] bool is_leaf() const noexcept { return second < 0; }
-        // Returns a lower bound of f, for places and values that may be off by `slack`; -infinity if no bound is known.
+        // Returns a lower bound of f at p, or -infinity if no bound is known. The bound also holds if rounding changes
+        // places and values by up to `slack`.
         [[nodiscard]] double least(const glm::dvec3& p, double slack) const noexcept {
             const glm::dvec3 below = box.low - p;
             const glm::dvec3 above = p - box.high;
@@ -112,7 +114,8 @@ public:
             return distance > 0.0 ? distance / slope : -std::numeric_limits<double>::infinity();
         }
     };
-    // The most nodes that wait on the stack during a walk down. It is enough for 2^16 items, which are halved 16 times.
+    // The largest number of nodes on the stack during a walk down the tree. It is enough for 2^16 items, because each
+    // level of the tree halves the items.
     static constexpr std::size_t deepest = 32;
 
     explicit CsgBoxTree(base::Memory& memory) noexcept : nodes_(memory) {}
@@ -176,8 +179,8 @@ struct CsgPlan {
     std::int64_t root_end = 0; // end of the root's steps
     std::int32_t root_op = 0;
     std::int32_t nested = 0; // the largest depth of nested groups
-    // Bounds of the surface. For `drawn`, a model's bounds are the box in which it is drawn; for `whole`, the box that
-    // contains its whole surface.
+    // Two bounds of the surface. They differ in the box that is taken for a model: `drawn` uses the box in which the
+    // model is drawn, `whole` the box that contains its whole surface.
     CsgBox drawn, whole;
 };
 

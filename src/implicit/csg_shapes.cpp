@@ -26,8 +26,9 @@ BlendJet polynomial_minimum(double a, double b, double radius) noexcept {
     return {std::min(a, b) - radius / 6.0 * h * h * h, 0.5 - slope, 0.5 + slope, -bend, bend, -bend};
 }
 
-// Returns max(R, min(a, b)) - (A^p + B^p)^(1/p) with A = max(0, R - a) and B = max(0, R - b). This is Ricci's
-// super-ellipse ("A constructive geometry for computer graphics", 1973) for densities that end at the distance R.
+// Returns max(R, min(a, b)) - (A^p + B^p)^(1/p) with A = max(0, R - a) and B = max(0, R - b). This is the super-ellipse
+// of Ricci ("A constructive geometry for computer graphics", 1973), applied to the densities A and B, which are 0 at
+// distances of R and more.
 BlendJet elliptic_minimum(double a, double b, double radius, double p) noexcept {
     if (std::isnan(a) || std::isnan(b)) return only_a(a + b);
     const double big_a = std::max(0.0, radius - a);
@@ -257,8 +258,8 @@ CsgBox CsgShape::box(const glm::dmat3& linear, const glm::dvec3& translation, do
     }
     default: break;
     }
-    // The side of the cone moves outward by level / slant.x. The ends move along the axis by `level`, so the side is
-    // longer.
+    // If f grows by `level`, the side of the cone moves outward by level / slant.x, and the ends move by `level` along
+    // the axis. So the side becomes longer.
     const double outward = level / slant_.x;
     const double along = outward * std::abs(slant_.y);
     const glm::dvec3 up = linear[2] * (half_.z + level);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Trees of solids as plain data, and their parts: primitives, blends of two functions, and bounding boxes. A primitive
 // is the intersection of one to six smooth sheets, and its f is the largest of their signed distances. Inside the
-// primitive f is the distance to the surface. Outside it f is the distance where the nearest place is within a sheet,
-// and less than the distance where it is an edge or corner.
+// primitive f is the distance to the surface. Outside the primitive, the nearest place of the surface may be within a
+// sheet: then f is the distance to this place. If the nearest place is on an edge or a corner, f is less than the
+// distance.
 #pragma once
 
 #include "base/memory.h"
@@ -29,7 +30,7 @@ enum class CsgKind : std::uint32_t {
     half_space, // z <= 0
     box,
     sphere,
-    cylinder, // its axis is the z axis, and its middle is at 0
+    cylinder, // a cylinder whose axis is the z axis and whose middle is at 0
     cone,     // like a cylinder, with `second_radius` at the top
     torus     // about the z axis, its tube of `second_radius`
 };
@@ -115,7 +116,7 @@ struct CsgReach {
     double slope = 1.0;
 
     [[nodiscard]] CsgReach complement() const noexcept { return {outside, inside, slope}; }
-    // Returns the bounds of the solid f + add.
+    // Returns the bounds after `add` is added to f.
     [[nodiscard]] CsgReach shifted(double add) const noexcept {
         CsgReach reach = *this;
         (add < 0.0 ? reach.inside : reach.outside) = (add < 0.0 ? inside : outside).grown(slope * std::abs(add));

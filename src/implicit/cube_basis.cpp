@@ -232,7 +232,7 @@ void CubeBasis::evaluate(int degree, const glm::dvec3& p, double* terms) noexcep
 // Sets to_coefficients_ to the coefficients of the basis times (L U)^-1.
 void CubeBasis::invert(const base::Work& work, const double* factor, std::int64_t factor_stride) {
     to_coefficients_ = triharmonic_coefficients(work.memory, degree_, term_stride(), work);
-    // Rows are independent of each other. A task solves several vectors of rows.
+    // Rows are independent of each other. A task solves rows_at_a_time rows, which fill several SIMD vectors.
     work.for_chunks(term_stride(), rows_at_a_time, [&](std::int64_t begin, std::int64_t end) {
         RightSolve(work.memory, cube_loops(work.instruction_set), {factor, factor_stride, size()},
                    to_coefficients_.data() + begin, term_stride(), static_cast<int>(end - begin))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Triharmonic polynomials up to a total degree on the cube [-1, 1]^3, and nodes: equally many points in the cube, whose
-// values determine a polynomial. Polynomials are stored as sums of Chebyshev products T_a(x) T_b(y) T_c(z) with a + b +
-// c <= degree.
+// Triharmonic polynomials up to a total degree on the cube [-1, 1]^3, and nodes in the cube. There are as many nodes as
+// basis polynomials, so the values at the nodes determine a polynomial. Polynomials are stored as sums of Chebyshev
+// products T_a(x) T_b(y) T_c(z) with a + b + c <= degree.
 #pragma once
 
 #include "base/operation.h"

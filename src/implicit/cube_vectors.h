@@ -23,7 +23,8 @@ public:
     [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
     [[nodiscard]] int count() const noexcept { return count_; }
     [[nodiscard]] const double* in() const noexcept { return in_.data(); }
-    // Returns an address for the result of each vector. Results of vectors beyond count() go to `unused`.
+    // Returns addresses for the results of cube_batch vectors. If there are fewer vectors, the addresses from count()
+    // on are `unused`.
     [[nodiscard]] double* const* out(double* unused) noexcept {
         std::fill(out_.begin() + count_, out_.end(), unused);
         return out_.data();

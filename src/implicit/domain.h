@@ -15,8 +15,9 @@ public:
     Domain& operator=(const Domain&) = delete;
     virtual ~Domain() = default;
 
-    // Returns a number that is at most 0 on the surface, 0 at its end, and positive beyond. `place` has f = 0, and the
-    // gradient may have any length. It may evaluate the implicit function, so it may throw the same errors.
+    // Returns a number that is negative or 0 on the surface, 0 at its end, and positive beyond the end. At `place` f is
+    // 0; the gradient may have any length. The function may evaluate the implicit function, and then it throws the same
+    // errors as Implicit::evaluate().
     [[nodiscard]] virtual double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const = 0;
     // Returns whether beyond() must be called for a place with f = 0. If false, the place is on the surface and far
     // from its ends.

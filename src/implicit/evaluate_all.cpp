@@ -33,7 +33,7 @@ base::Array<std::int32_t> order_by_cell(const base::Work& work, const Implicit& 
         for (std::int64_t i = begin; i < end; ++i) cell[i] = implicit.cell_of(points[i]);
     });
     order.resize_for_overwrite(points.size());
-    if (cells / many_cells > points.size()) { // counting would pass over all cells, which takes longer
+    if (cells / many_cells > points.size()) { // sorting by counting visits every cell, and takes longer here
         std::iota(order.begin(), order.end(), 0);
         std::sort(order.begin(), order.end(),
                   [&](std::int32_t a, std::int32_t b) { return cell[a] != cell[b] ? cell[a] < cell[b] : a < b; });

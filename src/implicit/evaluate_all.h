@@ -14,7 +14,7 @@ namespace hrbfnpr::implicit {
 [[nodiscard]] base::Array<std::int32_t> order_by_cell(const base::Work& work, const Implicit& implicit,
                                                       const geometry::VecArray& points);
 
-// Each field has one element for each point.
+// Evaluates the implicit function at all points. Each array in `fields` has one element for each point.
 void evaluate_all(const base::Work& work, const Implicit& implicit, const geometry::VecArray& points,
                   const FieldBatch& fields);
 

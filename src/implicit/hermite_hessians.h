@@ -3,8 +3,9 @@
 //   hessian(x) += sum_j (a alpha_j - b q) I + (b alpha_j - c q) d d^T - b (beta_j d^T + d beta_j^T)
 // with d = x - x_j, q = d . beta_j and a, b, c of kernel/kernel.h.
 //
-// At a source itself, its b and c are 0 as in kernel/radial.h. Its contribution begins to fade at a distance of 3e-19.
-// In units of the mean sample spacing, the only double that close to a sample is the sample itself.
+// If a target coincides with a source, b and c of the pair are 0 as in kernel/radial.h. The contribution of a source
+// begins to fade at a distance of 3e-19. This has no effect, because in units of the mean sample spacing, the only
+// double so close to a sample is the sample itself.
 #pragma once
 
 #include "implicit/hermite_sums.h"

@@ -30,9 +30,10 @@ constexpr int unroll = 2;
 constexpr int unroll = 1;
 #endif
 
-// The number of sources whose radial functions are computed before their terms are summed. One source after another
-// would be a chain of 70 cycles, and the 64 waiting operations of Zen 3's scheduler cover little more than one chain.
-// Then a vector takes 24 cycles; with 16 sources at a time it takes 18.
+// The number of sources whose radial functions are computed before their terms are summed. For a single source, the
+// operations form a chain of 70 cycles. The scheduler of Zen 3 holds 64 waiting operations, which is little more than
+// one chain, so few chains overlap. With one source at a time, a SIMD vector takes 24 cycles; with 16 sources at a
+// time, it takes 18 cycles.
 #if HWY_TARGET == HWY_AVX2
 constexpr std::int64_t ahead = 16;
 #else

@@ -52,8 +52,8 @@ struct Gaussian {
     }
 };
 
-// With K = 60 / radius^3, s = R / radius, t = 1 - s or 0:
-//   a = -K radius t^3 / 3, b = K t^2 / R, c = -K t (1 + s) / R^3, e = K (3 - s^2) / R^5 or 0.
+// With K = 60 / radius^3, s = R / radius, t = max(1 - s, 0):
+//   a = -K radius t^3 / 3, b = K t^2 / R, c = -K t (1 + s) / R^3, e = K (3 - s^2) / R^5 if t > 0, else 0.
 struct WendlandC2 {
     explicit WendlandC2(double kernel_radius) : radius(kernel_radius), inverse_radius(1.0 / kernel_radius) {}
     double radius, inverse_radius;

@@ -120,7 +120,7 @@ void evaluate(const HrbfData& data, const PointBatch& points, const FieldBatch& 
     });
 }
 
-// Value and gradient are the same bits with and without a Hessian.
+// The bits of value and gradient do not depend on whether a Hessian is wanted.
 void evaluate(base::InstructionSet set, const HrbfData& data, const PointBatch& points,
               const FieldBatch& fields) noexcept {
     const Sources sources = sources_of(data);

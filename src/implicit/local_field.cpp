@@ -13,13 +13,14 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-// The polynomial of a cube contains a centre only if at least this many cubes lie between them. With one cube, the same
-// accuracy needs twice the degree.
+// A centre is part of a cube's polynomial only if at least this many cubes lie between the cube and the cube of the
+// centre. With one cube between them, the same accuracy needs twice the degree.
 constexpr int separation = 2;
 
-// By default, cubes with more near centres than this are divided. At this number the near pairs take slightly more time
-// than the polynomial; dividing earlier does not pay, because it also takes time. With many centres, making the cubes
-// takes longer than evaluating a million points.
+// By default, a cube is divided if it has more near centres than most_near() returns. At that number, summing the near
+// centres takes slightly more time than evaluating the polynomial. A lower number would not pay, because dividing takes
+// time, too. With at least `many_centres` centres the number is higher, because making the cubes then takes longer than
+// evaluating a million points.
 constexpr std::int64_t many_centres = 16384;
 [[nodiscard]] std::int64_t most_near(std::int64_t centres) noexcept { return centres < many_centres ? 250 : 500; }
 // A child of a cube is made if there is a centre within this distance of the child's middle, in half widths of the
@@ -46,9 +47,9 @@ constexpr std::int64_t local_tasks = 24;
     return std::sqrt(sum / static_cast<double>(std::max<std::int64_t>(1, beta.size())));
 }
 
-// Returns the tolerance that chooses the degrees. The degrees in source_tree.cpp are set for weights of 0.2, as a rough
-// surface has; smaller weights need lower degrees. The power was found by experiments with fits of 512 to 65 536
-// samples.
+// Returns the tolerance from which the degrees are chosen. The degrees in source_tree.cpp are chosen for weights with a
+// root mean square of 0.2, as on a rough surface. Smaller weights need lower degrees. The exponent was found by
+// experiments with fits of 512 to 65 536 samples.
 [[nodiscard]] double tolerance_of(const LocalFieldOptions& options, double weight) noexcept {
     return options.tolerance * std::pow(0.2 / std::max(1e-6, weight), 0.7);
 }
@@ -168,7 +169,8 @@ private:
         }
     }
 
-    // Adds, to the values at the nodes of cells, the sums over the few centres of each tree node that acts directly.
+    // Some tree nodes act on a cell directly, because they have few centres. Adds the sums over these centres to the
+    // values at the cell's interpolation nodes.
     void add_direct_nodes(std::int32_t level, const base::Progress& progress) {
         const CubeBasis& basis = field_.sources_.basis(level);
         const double half = tree_.half_width(level);
@@ -189,8 +191,8 @@ private:
         });
     }
 
-    // Returns one range with the centres of the next candidates that act directly. The range ends before the first such
-    // candidate whose centres do not continue it. Moves `i` to that candidate, or to `end`.
+    // Returns one range of centres, for consecutive candidates that act directly. The range ends when the centres of
+    // the next such candidate do not follow the centres before. Sets `i` to the index of that candidate, or to `end`.
     [[nodiscard]] SourceRange direct_range(std::int64_t& i, std::int64_t end) const noexcept {
         SourceRange range{0, 0};
         for (; i < end; ++i) {
@@ -224,8 +226,8 @@ private:
         return count;
     }
 
-    // Returns whether a child cell is needed: whether it has centres in it or just beside it. Elsewhere few places are
-    // evaluated.
+    // Returns whether a child cell is needed: whether centres lie in the child or just beside it. Other places are
+    // seldom evaluated.
     [[nodiscard]] bool is_wanted(std::int64_t parent, const Cell& cell) const noexcept {
         const glm::dvec3 middle = field_.centre(cell);
         const double reach = beside * tree_.half_width(cell.level);
@@ -248,7 +250,7 @@ private:
         const auto first = static_cast<std::int32_t>(field_.cells_.size());
         std::uint32_t octants = 0;
         for (int octant = 0; octant < 8; ++octant) {
-            progress.check(); // all centres are near the first cells
+            progress.check(); // this loop may take long, because all centres are near the first cells
             const Cell child{{2 * parent.cell[0] + (octant & 1), 2 * parent.cell[1] + (octant >> 1 & 1),
                               2 * parent.cell[2] + (octant >> 2)},
                              parent.level + 1,
@@ -267,8 +269,8 @@ private:
         field_.cells_[begin_ + k].octants = octants;
     }
 
-    // Adds the tree nodes near a cell as candidates of a child: nodes of the child's level, and childless nodes of
-    // higher levels.
+    // Adds the tree nodes near a cell as candidates of its child: nodes of the child's level, and larger nodes without
+    // children.
     void add_candidates(std::int64_t parent, base::Array<std::int64_t>& next, const base::Progress& progress) const {
         for (std::int64_t i = candidate_begin_[parent]; i < candidate_begin_[parent + 1]; ++i) {
             if (kind_[i] != near) continue;

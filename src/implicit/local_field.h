@@ -28,8 +28,8 @@ struct LocalFieldOptions {
     // large.
     double tolerance = 1e-9;
     int finer = 0; // the number of times that the degree is raised by 2; each time divides the error by about 10
-    // With fewer centres than this, each far centre acts on the cubes separately. Otherwise groups of far centres act
-    // together, for which data are made that take a second on two cores (AVX2).
+    // With fewer centres than this, each far centre acts on a cube separately. With more centres, groups of far centres
+    // act together. This needs matrices, and computing them takes a second on two cores (AVX2).
     std::int64_t worth_translations = 32768;
     std::int64_t most_near = 0; // cubes with more near centres are divided; 0: the best number for millions of places
 };
@@ -56,9 +56,9 @@ private:
         std::int32_t level;
         std::int32_t first_child; // children are consecutive, in the order of octants
         std::uint32_t octants;    // a bit for each child that exists; the cell itself serves the other octants
-        std::int64_t near_begin;  // the beginning of its range in near_
+        std::int64_t near_begin;  // the index in near_ at which the cell's ranges begin
         std::int64_t near_end;
-        std::int64_t terms; // the beginning of its polynomial in terms_; -1: it has no polynomial
+        std::int64_t terms; // the index in terms_ at which the cell's polynomial begins; -1: it has no polynomial
 
         [[nodiscard]] bool serves() const noexcept { return octants != 255; }
         [[nodiscard]] bool has_child(int octant) const noexcept { return (octants >> octant & 1) != 0; }

@@ -18,11 +18,12 @@ constexpr std::int64_t fewest_centres = 512;
 // The measured error is the maximum over about a hundred places. If it exceeds the tolerance by more than this factor,
 // the field is made finer, or given up.
 constexpr double slack = 200.0;
-// The same limit if a finer field is no better. Weights have large magnitudes if parts of a mesh cross or lie close to
-// each other. Then rounding alone causes errors of 100 or 1000 times the tolerance. Drawings from sums over all centres
-// do not look better, but lines and every frame take minutes.
+// This limit replaces `slack` if a finer field does not reduce the error enough. Then the error comes from rounding:
+// weights have large magnitudes if parts of a mesh cross or lie close to each other, and rounding alone causes errors
+// of 100 or 1000 times the tolerance. Sums over all centres would not make better drawings, but lines and every frame
+// would take minutes.
 constexpr double slack_of_rounding = 5000.0;
-// A finer field counts as no better if its error is above this share of the previous error.
+// A finer field does not reduce the error enough if its error is above this share of the previous error.
 constexpr double no_better = 0.5;
 constexpr double gradients_share = 100.0;
 constexpr int finest = 2;
@@ -61,7 +62,7 @@ std::unique_ptr<Prepared> Prepared::make(const base::Work& work, const HrbfData&
             error.value, error.gradient);
         const double allowed = (error.value > no_better * before ? slack_of_rounding : slack) * options.tolerance;
         if (error.value <= allowed && error.gradient <= gradients_share * allowed) return prepared;
-        if (error.value >= before) break; // the rest is rounding
+        if (error.value >= before) break; // a finer field would not help, because the error comes from rounding
         before = error.value;
     }
     return nullptr;

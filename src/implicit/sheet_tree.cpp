@@ -38,8 +38,8 @@ void add_symmetric(const glm::dvec3& a, const glm::dvec3& b, std::array<double, 
     h[5] += 2.0 * a.z * b.z;
 }
 
-// Adds the Hessian of a function of the distance. `d` and `h` are its first and second derivative, and u is the unit
-// vector along the distance.
+// Adds the Hessian of a radial function: a function of the distance from a centre. `d` and `h` are its first and second
+// derivative with respect to the distance. u is the unit vector from the centre.
 void add_radial(const glm::dvec3& u, double d, double h, double distance, std::array<double, 6>& to) noexcept {
     const double across = d / distance;
     add_symmetric(u, 0.5 * (h - across) * u, to);
@@ -72,7 +72,7 @@ struct Term {
 // A cell whose weight at a point is above 0.
 struct ReachingCell {
     SheetTreeNode cell;
-    std::int32_t leaf;         // index of the leaf; -1: the sphere far outside
+    std::int32_t leaf;         // index of the leaf; -1: this entry stands for the sphere that f equals far outside
     std::int32_t result_term;  // the term that the program selects, or -1
     const std::int32_t* begin; // the program is the range [begin, end)
     const std::int32_t* end;
@@ -429,7 +429,7 @@ std::int64_t SheetTreeBase::cells() const noexcept {
 std::optional<PreparedSheetTree::Scope> PreparedSheetTree::pays(const SheetTreeData& data, double points) noexcept {
     if (points < pieces_tuning.points_a_cell * static_cast<double>(data.leaves())) return std::nullopt;
     const auto all = static_cast<double>(data.centres());
-    // The number of evaluations of a sheet is proportional to its share of the centres.
+    // The share of the points at which a sheet is evaluated is about the sheet's share of all centres.
     for (const HrbfData& one : data.sheet)
         if (Prepared::pays(one, points * static_cast<double>(one.count()) / all)) return Scope::sheets;
     return Scope::zones;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // An implicit function made of sheets that meet in creases, and a version of it that is prepared for many points. In
-// each cell f is a maximum or minimum of a few sheets. Where no surface is near, f is a linear function with about the
-// distance from the surface. Between cells f changes smoothly by a partition of unity, as in Ohtake et al.,
-// "Multi-level partition of unity implicits", 2003. Here the sheets are global functions, so f has no blending where
-// neighbouring cells select the same sheet.
+// each cell f is a maximum or minimum of a few sheets. Where no surface is near, f is a linear function that
+// approximates the distance from the surface. Between cells f changes smoothly by a partition of unity, as in Ohtake et
+// al., "Multi-level partition of unity implicits", 2003. Here the sheets are global functions, so f has no blending
+// where neighbouring cells select the same sheet.
 #pragma once
 
 #include "base/clock.h"
@@ -68,7 +68,8 @@ private:
     SheetTreeData own_;
 };
 
-// The same function prepared for many points. Results differ by rounding and by the errors of each Prepared sheet.
+// The function of SheetTreeBase, prepared for many points. The results of the two differ by rounding and by the errors
+// of the Prepared sheets.
 class PreparedSheetTree final : public SheetTreeBase {
 public:
     // The parts that are prepared: only the zones, or the zones and the sheets with many centres.

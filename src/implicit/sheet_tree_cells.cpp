@@ -83,8 +83,8 @@ void join(SimplifiedProgram& a, const SimplifiedProgram& b, std::int32_t operati
     a.code[a.size++] = operation;
 }
 
-// Calls visit(cell, level, leaf) for each leaf for which enters(cell) is true. It must also be true for all cells above
-// the leaf.
+// Calls visit(cell, level, leaf) for each leaf. A cell for which enters(cell) is false is skipped with all leaves below
+// it.
 template <class Enters, class Visit>
 void for_leaves(const SheetTreeData& data, const SheetTreeNode& at, std::int8_t level, Enters&& enters, Visit&& visit) {
     const std::int32_t first = data.child[at.node];

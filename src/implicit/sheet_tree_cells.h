@@ -26,11 +26,12 @@ struct SheetTreeData {
     static constexpr std::int32_t most_operands = 8; // the largest number of operands of a program
     static constexpr std::int32_t most_levels = 16;
     static constexpr std::int32_t most_nodes = 1 << 26;
-    static constexpr double reach = 1.8;      // the radius within which cells have weight, in half diagonals
+    // the distance from the centre of the bounds within which cells have weight, in half diagonals
+    static constexpr double reach = 1.8;
     static constexpr double cell_reach = 1.4; // how far a cell's weight extends from its centre, in half sides
-    // Distances from the centre of the bounds, in half diagonals: beyond the first the sphere has a weight above 0;
-    // beyond the second, f is the sphere alone. No surface is searched for there, because an open sheet's surface ends
-    // there.
+    // Two distances from the centre of the bounds, in half diagonals. Beyond the first, the sphere has a weight above
+    // 0. Beyond the second, f is the distance from the sphere alone, because the surface of an open sheet is cut off
+    // there. So no surface is searched for beyond the second distance.
     static constexpr double sphere_begins = 1.45;
     static constexpr double sphere_rules = reach;
 
@@ -38,10 +39,11 @@ struct SheetTreeData {
         : sheet(memory), child(memory), program_begin(memory), program(memory), plain(memory), sample_position(memory),
           sample_normal(memory) {}
 
-    base::List<HrbfData> sheet; // all have the same sign: inside is below 0
+    base::List<HrbfData> sheet; // all sheets have the same sign convention: values inside are below 0
     geometry::Bounds bounds;
     double spacing = 0.0; // mean distance from a sample to the nearest other sample
-    // The lowest corner of the cube that is divided into cells. The middle of the cube is the middle of the bounds.
+    // The corner with the lowest coordinates of the cube that is divided into cells. The centre of the cube is the
+    // centre of the bounds.
     glm::dvec3 corner{0.0};
     double side = 1.0;
     // For each node, the index of the first of its eight children, in the order of bits x, y, z; or `-1 - leaf` if the

@@ -71,10 +71,11 @@ SourceTree::SourceTree(const base::Work& work, const geometry::VecArray& centres
 }
 
 int SourceTree::degree_of(std::int32_t level, const SourceTreeOptions& options) const noexcept {
-    if (!has_expansions(level)) return 0; // all cubes of this level touch each other
+    if (!has_expansions(level)) return 0; // nodes are not used on this level, because all its cubes touch each other
     const double width = std::max(1.0, tree_.half_width(level) / options.spacing);
     const double all = std::max(1.0, tree_.half_width(0) / options.spacing);
-    // Degrees for gradients are even. So there are fewer bases, because making a basis takes longer than the sums.
+    // Degrees for gradients are even numbers, so that fewer bases are needed. Making a basis takes longer than the sums
+    // that a lower degree would save.
     const double degree = options.separation == 1
                               ? std::ceil(degree_for_fits(width, all, options.tolerance))
                               : 2.0 * std::ceil(0.5 * degree_for_gradients(width, options.tolerance));
@@ -118,7 +119,7 @@ void SourceTree::make_transfers(const base::Progress& progress) {
 void SourceTree::gather(const base::Progress& progress) {
     make_transfers(progress);
     outgoing_.clear();
-    base::resize_long(outgoing_, vectors_size_, progress); // filled with zeros
+    base::resize_long(outgoing_, vectors_size_, progress); // new elements are 0
     for (std::int32_t level = tree_.levels() - 1; level >= 2; --level) gather_moments(level, progress);
 }
 
@@ -197,7 +198,8 @@ void SourceTree::add_children(std::int64_t begin, std::int64_t end, std::int32_t
     }
 }
 
-// Pairs of cubes with the same offset share the matrix elements |x_i - x_k + offset|^3, which are computed when needed.
+// Pairs of cubes with the same offset share the matrix with the elements |x_i - x_k + offset|^3. It is not stored: its
+// elements are computed when they are needed.
 void SourceTree::translate(std::int32_t level, std::span<const Pair> pairs, int first_row, int last_row,
                            double* incoming, const base::Progress& progress) const {
     const CubeBasis& basis = *at(level).basis;

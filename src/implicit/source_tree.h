@@ -27,7 +27,7 @@ struct SourceTreeOptions {
     std::int64_t leaf_size = 600;
     // The allowed error of sums with the weights of a fit, relative to the right-hand side of the fit.
     double tolerance = 1e-8;
-    // Two cubes act on each other by their nodes if at least this many cubes lie between them; 1 or 2.
+    // A cube acts on another cube by its nodes if at least this many cubes lie between them; 1 or 2.
     int separation = 1;
     double margin = 0.0; // margin of the whole cube, relative to its width
 };
@@ -50,8 +50,8 @@ public:
     [[nodiscard]] const base::Array<double>& to_child(std::int32_t level, int octant) const noexcept {
         return at(level).transfers->to_child[static_cast<std::size_t>(octant)];
     }
-    // Returns whether cubes of this level act by their nodes. Those of the first two levels do not, because they all
-    // touch each other.
+    // Returns whether cubes of this level act by their nodes. Cubes of the first two levels do not, because all cubes
+    // of one of these levels touch each other.
     [[nodiscard]] static bool has_expansions(std::int32_t level) noexcept { return level >= 2; }
     // The vectors of all nodes are stored one after the other, with padding after the last, so that vector loads may
     // read past it.
@@ -96,7 +96,7 @@ private:
     struct Level {
         std::shared_ptr<CubeBasis> basis;
         std::shared_ptr<Transfers> transfers; // transfers to the next level; null on the deepest level
-        std::int64_t begin = 0;               // beginning of the vectors of its nodes
+        std::int64_t begin = 0;               // index at which the vectors of the level's nodes begin
     };
 
     [[nodiscard]] const Level& at(std::int32_t level) const noexcept {

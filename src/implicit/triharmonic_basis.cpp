@@ -76,7 +76,8 @@ private:
     base::Array<std::int64_t> index_;
 };
 
-// Returns the column of a function of degree l + 2 k. Columns are sorted by degree, then by k.
+// Returns the column of the function h T_k, where h is the solid harmonic of degree l with the index `number`. The
+// function has the degree l + 2 k. Columns are sorted by degree, then by k.
 [[nodiscard]] int column_of(int l, int k, int number) noexcept {
     const int degree = l + 2 * k;
     int column = degree > 0 ? triharmonic_size(degree - 1) : 0;
@@ -108,7 +109,8 @@ public:
     }
 
 private:
-    // Returns the number of the solid harmonic of order m; side 0 is the cosine's, side 1 the sine's.
+    // Returns the index of a solid harmonic of order m. `side` is 0 for the harmonic with the cosine, 1 for the
+    // harmonic with the sine.
     [[nodiscard]] static int number_of(int m, int side) noexcept { return m == 0 ? 0 : 2 * m - 1 + side; }
     [[nodiscard]] double* at(int l, int k, int number) noexcept {
         return result_.data() + stride_ * column_of(l, k, number);
@@ -123,7 +125,8 @@ private:
         }
     }
 
-    // Uses (l - m + 1) R_(l+1) = (2 l + 1) z R_l - (l + m) |x|^2 R_(l-1).
+    // Computes the solid harmonics of order m and degrees above m by (l - m + 1) R_(l+1) = (2 l + 1) z R_l - (l + m)
+    // |x|^2 R_(l-1).
     void climb(int m, int side, const base::Progress& progress) {
         const int number = number_of(m, side);
         for (int l = m; l < degree_; ++l) {
@@ -134,7 +137,7 @@ private:
         }
     }
 
-    // Uses C_(m+1) + i S_(m+1) = (x + i y) (C_m + i S_m).
+    // Computes the harmonics of degree and order m + 1 by C_(m+1) + i S_(m+1) = (x + i y) (C_m + i S_m).
     void turn(int m) {
         const double* const cosine = harmonic(m, number_of(m, 0));
         double* const next_cosine = harmonic(m + 1, number_of(m + 1, 0));
