@@ -34,10 +34,12 @@ struct Misfits {
 Misfits misfits_of(const base::Work& work, const Samples& samples, const base::Array<std::int64_t>& centres,
                    const Distances& distances, const CandidateOptions& options) {
     const geometry::PointTree tree(positions_of_centres(samples, centres), work);
-    base::Array<double> spacing(work.memory, centres.size()); // by index in the tree
+    // For each centre: its spacing, by the centre's index in `tree`.
+    base::Array<double> spacing(work.memory, centres.size());
     for (std::int64_t at = 0; at < centres.size(); ++at)
         spacing[at] = std::min(tree.nearest_other(at), samples.bounds.diagonal());
-    // Returns 0 where the gradient points along the normal, and 2 where it points against it.
+    // Returns the distance between the unit gradient and the normal: 0 if they are equal, and 2 if they are opposite or
+    // the gradient is 0.
     const auto deviation = [&](std::int64_t i) {
         const glm::dvec3 gradient = distances.gradient[i];
         const double slope = glm::length(gradient);
@@ -173,7 +175,7 @@ std::int64_t batch_of(std::int64_t centres, double outside) noexcept {
     return std::max(adaptive_tuning.smallest_batch, static_cast<std::int64_t>(share * static_cast<double>(centres)));
 }
 
-// ---- What to add
+// ---- Samples to add as centres
 
 Candidates worst_candidates(const base::Work& work, const Samples& samples, const geometry::PointTree& tree,
                             const base::Array<std::int64_t>& centres, const Distances& distances,
@@ -194,17 +196,18 @@ Candidates worst_candidates(const base::Work& work, const Samples& samples, cons
     std::sort(order.begin(), order.end(), [&](std::int64_t a, std::int64_t b) {
         return misfit.score[a] > misfit.score[b] || (misfit.score[a] == misfit.score[b] && a < b);
     });
-    base::Array<std::int64_t> place(work.memory, count); // index in the tree of each sample
+    base::Array<std::int64_t> place(work.memory, count); // for each sample: its index in the tree
     for (std::int64_t at = 0; at < tree.size(); ++at) place[tree.index(at)] = at;
 
     const auto take = [&](double share) {
-        base::Array<std::uint8_t> covered(work.memory, count); // by index in the tree
+        base::Array<std::uint8_t> covered(work.memory, count); // 1 for samples near a new centre, by index in the tree
         for (const std::int64_t i : order) {
             if (result.chosen.size() >= options.most) return;
             const double radius = std::max(share * misfit.spacing[i], options.least_distance);
             if (covered[place[i]] != 0 || misfit.to_centre[i] < radius) continue;
             const std::int64_t added = options.typical != nullptr ? (*options.typical)[i] : i;
-            // A sample is covered, too, if its typical sample is already a centre. It is then not tried again.
+            // The typical sample may already be a centre. The samples around sample i are then marked as covered, too,
+            // so that they are not tried again.
             if (is_centre[added] == 0) result.chosen.push_back(added);
             tree.within(samples.position[i], radius, [&](std::int64_t at, double) { covered[at] = 1; });
             work.check();
@@ -213,7 +216,8 @@ Candidates worst_candidates(const base::Work& work, const Samples& samples, cons
     for (double share = adaptive_tuning.apart; share >= adaptive_tuning.least_apart && result.chosen.empty();
          share *= 0.5) {
         take(share);
-        if (options.neighbours != nullptr) break; // smaller distances would fit the noise
+        // With noisy samples, centres at smaller distances would fit the noise.
+        if (options.neighbours != nullptr) break;
     }
     return result;
 }

@@ -48,12 +48,12 @@ struct AdaptiveSettings {
     bool keeps_last = false;
 };
 
-// Makes fits in rounds, until the oracle ends the loop or `most_rounds` rounds are done.
+// Makes fits in rounds, until `chooser` ends the loop or `most_rounds` rounds are done.
 [[nodiscard]] AdaptiveFit fit_adaptively(const base::Work& work, const FitInput& input, const Samples& candidates,
                                          base::Array<std::int64_t> first, const Smoothing& smoothing,
                                          const AdaptiveSettings& settings, const CentreChooser& chooser);
 
-// Returns the indices of at most `count` candidates in ascending order, chosen by farthest points.
+// Returns the indices of at most `count` candidates, in ascending order. They are chosen by farthest-point sampling.
 [[nodiscard]] base::Array<std::int64_t> even_choice(const Samples& candidates, std::int64_t count,
                                                     const base::Progress& progress);
 
@@ -61,11 +61,12 @@ struct AdaptiveSettings {
 [[nodiscard]] Samples centres_of(const base::Work& work, const Samples& candidates,
                                  const base::Array<std::int64_t>& centres, const Samples& off_surface);
 
-// Returns how many centres a round may add: half the number of centres. While more than a quarter of the candidates is
-// outside the tolerance, nearly all added centres are needed, and the limit is the number of centres.
+// Returns the largest number of centres that a round may add. It is half the number of existing centres. While more
+// than a quarter of the candidates is outside the tolerance, it is the whole number of existing centres, because nearly
+// all added centres are then needed.
 [[nodiscard]] std::int64_t batch_of(std::int64_t centres, double outside) noexcept;
 
-// ---- What to add
+// ---- Candidates to add as centres
 
 struct CandidateOptions {
     double tolerance = 0.0;      // 0: all samples are candidates

@@ -22,7 +22,7 @@ base::Array<std::int64_t> all_indices(base::Memory& memory, std::int64_t count) 
     return all;
 }
 
-// Returns the variance of the noise divided by the variance of f; see CentreFit::variance.
+// Returns the regularization: the variance of the noise divided by the variance of f (see CentreFit::variance).
 Smoothing smoothing_of(const Noise& noise, double diagonal, double variance) noexcept {
     const double position = noise.position / diagonal;
     return {position * position / variance, noise.normal * noise.normal / variance};

@@ -19,7 +19,8 @@ class Lanczos {
 public:
     explicit Lanczos(base::Memory& memory) noexcept : diagonal_(memory), off_diagonal_(memory) {}
 
-    // alpha is the length of the step. beta is the factor of the previous direction in the direction of the step.
+    // Adds the coefficients of one iteration. alpha is the length of the step. The direction of the step is the
+    // preconditioned residual plus beta times the previous direction.
     void add(double alpha, double beta) {
         if (!diagonal_.empty()) off_diagonal_.push_back(std::sqrt(beta) / alpha_);
         diagonal_.push_back(1.0 / alpha + (diagonal_.empty() ? 0.0 : beta / alpha_));

@@ -8,8 +8,8 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// Near the surface |grad f| is about 1. A smaller |grad f| than this is replaced by this, because the first-order
-// distance would mean nothing there.
+// Near the surface |grad f| is about 1. Where |grad f| is smaller than this constant, the constant is used in its
+// place, because the first-order distance f / |grad f| would mean nothing.
 constexpr double least_slope = 0.1;
 
 [[nodiscard]] Distances make_distances(base::Memory& memory, std::int64_t count) {

@@ -14,8 +14,9 @@
 
 namespace hrbfnpr::fit {
 
-// The fields mean the same as those of hrbfnpr_fit_desc, and messages use that struct's names. Views have 3 components,
-// float32 or float64, and equal counts >= 1 (the boundary checks this).
+// The fields of the structs below mean the same as the fields of hrbfnpr_fit_desc, and messages use the names of that
+// struct. Both views have 3 components of float32 or float64. Their counts are equal and at least 1, which the boundary
+// checks.
 enum class Repair : std::uint32_t { keep = 0, drop = 1, reorient = 2 };
 enum class RegularizationMode : std::uint32_t { given = 0, automatic = 1 };
 
@@ -35,7 +36,8 @@ struct FitInput {
     SolverKind solver = SolverKind::automatic;
     std::uint32_t preconditioner_neighbours = 0; // 0 = automatic
     double solver_tolerance = 0.0;               // 0 = automatic
-    // The tolerance that replaces a `solver_tolerance` of 0. If this is 0 too, the number of centres decides.
+    // The tolerance that replaces a `solver_tolerance` of 0. If both are 0, the tolerance depends on the number of
+    // centres.
     double automatic_tolerance = 0.0;
     std::int32_t iteration_limit = 200;
 };

@@ -11,18 +11,19 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// The Gaussian's automatic radius, in mean spacings. Larger: the error at the surface falls fast, but the condition
-// number grows tenfold with every 0.1, and from 1 on signs beside the surface may be wrong where samples are uneven.
-// Set on fits of a sphere, a torus, a bumpy ball and scans (256 to 1024 samples).
+// The automatic radius of the Gaussian kernel, in mean spacings. With a larger radius the error at the surface falls
+// fast, but the condition number grows tenfold with every 0.1. From a radius of 1 on, the sign of f beside the surface
+// may be wrong where samples are uneven. Set on fits of a sphere, a torus, a bumpy ball and scans (256 to 1024
+// samples).
 constexpr double automatic_gaussian = 0.9;
-// Wendland's automatic radius, in mean spacings. The error falls as radius^-3, and the condition number grows as
-// radius^3. The radius is at least half a diagonal: where no kernel reaches the middle of the shape, only the
+// The automatic radius of Wendland's kernel, in mean spacings. The error falls as radius^-3, and the condition number
+// grows as radius^3. The radius is at least half a diagonal: where no kernel reaches the middle of the shape, only the
 // polynomial is left, and its sign is wrong there.
 constexpr double automatic_wendland = 10.0;
 constexpr double automatic_wendland_diagonals = 0.5;
 
-// Larger radii, or radii below the reciprocal, are refused, because their powers leave the range of a double. In
-// spacings.
+// The largest radius of a kernel, in spacings. The smallest radius is its reciprocal. Powers of other radii leave the
+// range of a double, so they are refused.
 constexpr double radius_limit = 1e30;
 
 [[nodiscard]] double normalised_radius(const FitInput& input, const implicit::HrbfData& data) {
@@ -55,8 +56,8 @@ constexpr double radius_limit = 1e30;
             smoothing.gradient * std::pow(k, m - 2)};
 }
 
-// Computes CentreFit::variance: h^T K^-1 h = w . h, divided by the degrees of freedom that the polynomial leaves, and
-// scaled as the rows of the system.
+// Computes CentreFit::variance: h^T K^-1 h = w . h, divided by the degrees of freedom, which are the rows of the system
+// minus the coefficients of the polynomial. The result is converted to coordinates with a diagonal of 1.
 [[nodiscard]] double variance(const HermiteSystem& system, const double* rhs, const Solution& solution,
                               const implicit::HrbfData& data) {
     double energy = 0.0;

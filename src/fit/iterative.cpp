@@ -18,8 +18,8 @@ constexpr int starts = 8;
 // for the difference from the true residual.
 constexpr double headroom = 0.8;
 
-// Above `few_samples` samples, the recursion's residual is compared with the true residual at only `some_samples` of
-// them.
+// With more than `few_samples` samples, the residual that the iterations update is compared with the true residual at
+// only `some_samples` samples.
 constexpr std::int64_t few_samples = 2048;
 constexpr std::int64_t some_samples = 512;
 

@@ -90,7 +90,7 @@ HWY_INLINE void take_expansion(const Place& p, const Place& q, bool transposed, 
     };
     const Radial& k = p.to_reference;
     const V s = hn::MulAdd(p.x[2], q.x[2], hn::MulAdd(p.x[1], q.x[1], hn::Mul(p.x[0], q.x[0])));
-    const V along = hn::NegMulAdd(k.b, s, k.a); // the factor of p in the first column of M
+    const V along = hn::NegMulAdd(k.b, s, k.a); // the coefficient of p in the first column of M
     take(0, 0, hn::NegMulAdd(k.a, s, k.phi));
     for (int r = 0; r < 3; ++r) {
         const V ap = hn::Mul(k.a, p.x[r]);

@@ -10,25 +10,25 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// A group of neighbours of each sample, from one rank in distance to another. A group has several neighbours: with only
-// the nearest, the noise itself would choose the neighbour, and favour a neighbour with similar noise.
+// A group of the neighbours of each sample: the neighbours [begin, end), counted from the nearest. A group has several
+// neighbours, because the noise decides which neighbour is the nearest, and favours one with similar noise.
 struct RankRange {
     std::size_t begin;
     std::size_t end;
 };
 constexpr std::array<RankRange, 5> groups{{{0, 4}, {4, 8}, {8, 16}, {16, 24}, {24, 32}}};
-constexpr std::int64_t looked_at = 32768; // samples for the median, evenly taken from all samples
+constexpr std::int64_t looked_at = 32768; // the largest number of samples measured, spread evenly over all
 constexpr std::size_t terms = 3;          // the number of coefficients: a, b and c
 
 // The median absolute value of a Gaussian variable, in standard deviations.
 constexpr double gaussian_median = 0.6744897501960817;
 // The median distance between two noisy copies of a unit vector, in standard deviations: 2 sqrt(ln 2).
 constexpr double turn_median = 1.6651092223153954;
-// PairStatistics whose normals have a smaller cosine are ignored: an edge is between their samples, or they are on two
-// sheets.
+// Pairs of samples whose normals have a smaller cosine are ignored: the two samples are on two sheets, or there is an
+// edge between them.
 constexpr double same_side = 0.5;
 // If the noise explains less than this share of the nearest neighbours' variance, it may be only an error of the model
-// (noise.h).
+// of noise.h. The result is then "no noise".
 constexpr double least_share = 0.5;
 // Smaller estimates of the noise, in diagonals, count as rounding of coordinates to floats.
 constexpr double rounding = 1e-7;
@@ -67,7 +67,8 @@ struct PairStatistics {
 }
 
 using Coefficients = std::array<double, terms>;
-using Rows = std::array<Coefficients, groups.size()>; // Each row's product with the coefficients should be 1.
+// The coefficients are fitted so that the dot product of each row with them is about 1.
+using Rows = std::array<Coefficients, groups.size()>;
 
 // Solves least squares with 0 <= x <= most by coordinate descent. This is fast enough for three coefficients.
 [[nodiscard]] Coefficients bounded_least_squares(const Rows& rows, const Coefficients& most) {
@@ -98,14 +99,14 @@ Noise measure_noise(const base::Work& work, const Samples& samples) {
     for (std::size_t k = 0; k < groups.size(); ++k) {
         work.check();
         pairs[k] = measure(samples, neighbours, groups[k]);
-        // All samples lie exactly in planes, or no two normals agree, so there is no estimate.
+        // There is no estimate if all samples lie exactly in planes, or if no pair of normals is similar.
         if (!(pairs[k].variance > 0.0 && pairs[k].distance > 0.0)) return {};
     }
     Rows rows;
     const double unit = pairs[0].distance;
     for (std::size_t k = 0; k < groups.size(); ++k) {
         const double d2 = (pairs[k].distance / unit) * (pairs[k].distance / unit);
-        const double share = pairs[0].variance / pairs[k].variance; // Weights that make relative errors count.
+        const double share = pairs[0].variance / pairs[k].variance; // The weight makes errors relative.
         rows[k] = {share, share * d2, share * d2 * d2 * d2};
     }
     // If the noise is not small compared with the spacing, the nearest pairs have similar noise. Their variance then

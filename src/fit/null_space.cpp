@@ -6,8 +6,8 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// The least part of a column of P that is orthogonal to the earlier columns, as a share of the column. If the part is
-// smaller, a polynomial and its gradient vanish at all samples.
+// The smallest allowed length of the part of a column of P that is orthogonal to the earlier columns, as a share of the
+// column's length. If the part is shorter, a polynomial and its gradient vanish at all samples.
 constexpr double independence = 1e-10;
 
 [[noreturn]] void fail_undetermined(const HermiteSystem& system) {

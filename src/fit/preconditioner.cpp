@@ -91,7 +91,8 @@ void Preconditioner::factor_sets(const HermiteSystem& system, const geometry::Po
         base::Array<double> scratch(runtime_.memory, local_factor_scratch_size(isa, set_size_));
         base::Array<double> position(runtime_.memory, batch * set_size_ * 3);
         for (std::int64_t k = begin * set_size_; k < end * set_size_; ++k) {
-            // Coarse samples are in the dense block, so their columns here are not used, and any points will do.
+            // Coarse samples are in the dense block, and their columns of the sparse factor are not used. So any points
+            // may take their places here.
             const std::int64_t first = set_[k - k % set_size_];
             const glm::dvec3 p = first < 0 ? glm::dvec3(static_cast<double>(k % set_size_)) : tree.points()[set_[k]];
             for (glm::length_t c = 0; c < 3; ++c) position[3 * (k - begin * set_size_) + c] = p[c];

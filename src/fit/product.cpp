@@ -31,7 +31,7 @@ constexpr std::int64_t box_samples = 32;
 // From this number of samples on, the fast sum is faster than the sum over all pairs (scripts/bench fit).
 constexpr std::int64_t far_field_from = 40000;
 
-// The accuracy may be refined at most this often. Beyond that, summing all pairs is faster.
+// The largest number of times that the accuracy can be refined. At a higher accuracy, summing all pairs is faster.
 constexpr int finest = 4;
 
 } // namespace

@@ -13,7 +13,7 @@ namespace {
 constexpr double coordinate_limit = 1e100;
 
 constexpr double coincidence = 1e-9;           // Samples closer than this coincide, in diagonals.
-constexpr double same_normal = 0.999847695156; // Normals with a larger cosine are the same: the cosine of 1 degree.
+constexpr double same_normal = 0.999847695156; // Normals with a larger cosine count as equal: the cosine of 1 degree.
 constexpr double degrees = 57.29577951308232;
 constexpr double rescaled_by = 1e-4;
 
@@ -82,7 +82,7 @@ void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
          degrees * std::acos(std::clamp(cosine, -1.0, 1.0)));
 }
 
-// Returns for each sample the one that represents all samples that coincide with it.
+// Returns, for each sample, the index of the sample that represents all samples at the same position.
 [[nodiscard]] base::Array<std::int64_t> representatives(const Samples& samples, const base::Progress& progress) {
     base::Memory& memory = samples.position.memory();
     const double tolerance = coincidence * samples.bounds.diagonal();

@@ -19,22 +19,22 @@ constexpr std::int64_t most_direct = 6000;
 // iterations.
 constexpr std::int64_t small = 2048;
 
-// Up to this number of samples, the direct solver takes only tenths of a second. It replaces iterations that rounding
-// stops above `exact_enough`. With more samples it takes up to a minute, so any acceptable residual of the iterations
-// is accepted.
+// Up to this number of samples, the direct solver takes only tenths of a second. If rounding stops the iterations above
+// `exact_enough`, the direct solver is then used. With more samples it takes up to a minute, so any acceptable residual
+// of the iterations is accepted.
 constexpr std::int64_t quickly_direct = 512;
 constexpr double exact_enough = 1e-8;
 
 constexpr std::int32_t second_neighbours = 48;
 
-// The regularization of values that soften() adds. Smaller: the iterations break down. Much larger: the preconditioner
-// does not match the system. Set on the 435 545 vertices of the Stanford dragon.
+// The regularization of values that solve_regularized() adds. Smaller: the iterations break down. Much larger: the
+// preconditioner does not match the system. Set on the 435 545 vertices of the Stanford dragon.
 constexpr double regularization_of_values = 1.0;
 constexpr double regularization_of_gradients = 1e-6;
 constexpr double regularized_tolerance = 3e-4;
 
-// Returns the first number of neighbours to try. More neighbours take time of k^3 per sample to set up, and save
-// iterations, whose time grows with N.
+// Returns the number of neighbours k to try first. The set-up time of the preconditioner is proportional to k^3 for
+// each sample. More neighbours need fewer iterations, whose time grows with the number of samples.
 [[nodiscard]] std::int32_t first_neighbours(std::int64_t samples, kernel::Kind kernel) noexcept {
     // With the Gaussian, near samples do not screen far ones, so more neighbours are needed.
     if (kernel == kernel::Kind::gaussian) return 40;
@@ -64,7 +64,8 @@ void solve_regularized(const base::Work& work, const HermiteSystem& system, cons
     if (regularized.value_diagonal > 0.0 || options.acceptable <= options.tolerance) return;
     regularized.value_diagonal = solution.value_diagonal = regularization_of_values;
     regularized.gradient_diagonal = regularization_of_gradients;
-    options.product_tolerance = options.tolerance; // A less accurate product would not be definite.
+    // With a less accurate product the system would not be positive definite.
+    options.product_tolerance = options.tolerance;
     options.tolerance = std::max(options.tolerance, regularized_tolerance);
     work.runtime().log(
         base::LogLevel::warning,

@@ -35,7 +35,7 @@ struct Solution {
     double condition = 0.0;
     std::int32_t iterations = 0; // the number of refinement steps, or of CG iterations
     bool fallback = false;
-    double value_diagonal = 0.0; // the regularization that was added because 0, as requested, did not work
+    double value_diagonal = 0.0; // the regularization that was added although 0 was requested, because 0 did not work
     bool converged = false;      // true if the iterative solver reached its tolerance
     base::Array<double> history; // the relative residual after each iteration of CG
     double seconds_assemble = 0.0;

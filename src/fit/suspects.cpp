@@ -11,17 +11,17 @@ namespace {
 // The limits below were set on clean sets (tori, knot, hearts, lamp, gargoyle, head, bunny, dragon; nothing is found),
 // and on a raw scan.
 
-// An outlier is this many times as far from its neighbours as they are from theirs [Rusu et al., "Towards 3D point
-// cloud based object maps for household environments", 2008]. Medians are used, which outliers do not move, and the
-// local spacing, which may vary.
+// A sample is an outlier if its mean distance to its neighbours is this many times the usual one [Rusu et al., "Towards
+// 3D point cloud based object maps for household environments", 2008]. The usual distance is a median, which outliers
+// do not move. It is taken from the samples around, because the spacing may vary.
 constexpr double isolated = 3.0;
-// A sample is also an outlier if its distance from most tangent planes of its neighbours exceeds this, in mean
-// distances to a neighbour, and exceeds `stray_of_neighbours` times the neighbours' distances from each other's tangent
-// planes.
+// A sample is also an outlier if it lies too far from the tangent planes of its neighbours. The median of these
+// distances must exceed `stray` mean distances between samples, and `stray_of_neighbours` times the same median of its
+// neighbours.
 constexpr double stray = 1.0;
 constexpr double stray_of_neighbours = 4.0;
-// A sample with `companions` companions is no outlier, but on another, sparser sheet. Companions are neighbours at
-// about its height with a similar normal.
+// A sample with at least `companions` companions is no outlier by its distance from tangent planes: it lies on another,
+// sparser sheet. Companions are neighbours with a similar normal whose tangent planes pass close to the sample.
 constexpr double companion_height = 0.25; // in units of LocalStatistics::height
 constexpr double companion_cosine = 0.5;
 constexpr int companions = 3;
@@ -139,7 +139,7 @@ private:
         });
     }
 
-    // Returns whether a normal is flipped. Normals that are turned already count as turned.
+    // Returns whether a normal is flipped. Neighbours that were found to be flipped count with the opposite normal.
     [[nodiscard]] bool is_flipped(std::int64_t i) const {
         const auto near = neighbours_.of(i);
         std::size_t count = 0;

@@ -17,8 +17,8 @@ struct AdaptiveTuning {
     double mostly_outside = 0.25;
     // A round may always add this many centres. Larger: fewer rounds in small fits.
     std::int64_t smallest_batch = 32;
-    // If some candidates are outside the tolerance, candidates whose error is above this share of it are added too:
-    // they would be next. Larger: more rounds.
+    // If some candidates are outside the tolerance, candidates with an error above this share of the tolerance are
+    // added too, because later rounds would add them anyway. Larger: more rounds.
     double nearly_outside = 0.75;
     // A normal that is wrong by an angle moves the surface by about this share of the angle times the distance to the
     // next centre. Larger: more centres where normals are off.
@@ -37,12 +37,13 @@ inline constexpr AdaptiveTuning adaptive_tuning;
 struct ChoiceTuning {
     // The number of first centres of a fit with a tolerance. Larger: small fits take longer.
     std::int64_t first_centres = 256;
-    // Without a tolerance the number of first centres is the final number divided by this. Larger: more rounds.
+    // Without a tolerance, the number of first centres is the final number of centres divided by this. Larger: more
+    // rounds.
     std::int64_t last_of_first = 4;
-    // The choice stops after this many rounds, because it then does not converge.
+    // The choice of centres stops after this many rounds: if it needs more, it does not converge.
     std::int32_t most_rounds = 50;
-    // The smoothing depends on the variance of the fit, and the variance on the smoothing. Fits are repeated until the
-    // smoothing changes by less than this factor, or until the most fits are made. Larger: fewer fits.
+    // The smoothing depends on the variance of the fit, and the variance depends on the smoothing. Fits are repeated
+    // until the smoothing changes by less than this factor, or until `settling_fits` fits are made. Larger: fewer fits.
     double settled = 1.2;
     int settling_fits = 4;
     // If all samples become centres, the smoothing is found first on this many samples. Larger: slower.

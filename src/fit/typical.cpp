@@ -7,7 +7,7 @@
 namespace hrbfnpr::fit {
 namespace {
 
-constexpr std::size_t most_neighbours = 8; // The largest number of neighbours that a sample represents.
+constexpr std::size_t most_neighbours = 8; // the number of nearest neighbours that may replace a sample
 constexpr std::int64_t spacings_a_task = 512;
 
 // Returns the mean angle of a sample's normal to its neighbours' normals, plus the mean angle of its position above

@@ -9,9 +9,9 @@
 
 namespace hrbfnpr::fit {
 
-// Returns for each sample the typical sample: it or a neighbour, whichever agrees best with the samples around it in
-// position and normal. The samples with the largest errors are often the noisiest, for example at the rims of a scan,
-// so they should not become centres.
+// Returns the index of the typical sample for each sample. The typical sample is the sample itself or a neighbour,
+// whichever agrees best in position and normal with the samples around it. The samples with the largest errors are
+// often the noisiest, for example at the rims of a scan, so they should not become centres.
 [[nodiscard]] base::Array<std::int64_t> typical_samples(const base::Work& work, const Samples& samples,
                                                         const geometry::Neighbours& neighbours);
 

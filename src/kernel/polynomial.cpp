@@ -50,7 +50,8 @@ void polynomial_basis(std::int32_t degree, const glm::dvec3& p, PolynomialBasis&
 
 PolynomialField polynomial(std::int32_t degree, const double* coefficients, const glm::dvec3& p) noexcept {
     PolynomialField field;
-    // Gives the same bits as the general path; with few centres the general path would take a tenth of the total time.
+    // This shortcut gives the same bits as the general code below. With few centres, the general code would take a
+    // tenth of the total time.
     if (degree == 1) {
         field.value = 0.0 + coefficients[0] + coefficients[1] * p.x + coefficients[2] * p.y + coefficients[3] * p.z;
         field.gradient = 0.0 + glm::dvec3(coefficients[1], coefficients[2], coefficients[3]);

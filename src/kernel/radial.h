@@ -9,8 +9,9 @@
 
 namespace hrbfnpr::kernel {
 
-// A point counts as at the centre if its squared distance is at most this, in units of the mean sample spacing. At
-// smaller distances r^-3 would overflow. The only double at such a distance from a sample is the sample itself.
+// A point counts as lying at a centre if its squared distance from the centre is at most this. The unit is the square
+// of the mean sample spacing. At smaller distances r^-3 would overflow. Doubles cannot represent another point so close
+// to a sample.
 inline constexpr double at_centre = 1e-60;
 
 // Each kernel has a member at<order>(r2, r) with r2 = r * r. It sets phi and a always, b if the order is at least 1,

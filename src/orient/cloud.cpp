@@ -17,8 +17,9 @@ namespace hrbfnpr::orient {
 namespace {
 
 constexpr std::int64_t fewest_points = 4;
-constexpr double coordinate_limit = 1e100; // No coordinate may be larger than this, as in a fit.
-// The least ratio of the variances across and along a line. Smaller ratios are rounding.
+constexpr double coordinate_limit = 1e100; // No coordinate may be larger than this; the limit of a fit is the same.
+// The least ratio of the points' variance across a line to their variance along it. A smaller ratio may come from
+// rounding, so the points then count as lying on a line.
 constexpr double thinnest = 1e-12;
 
 [[nodiscard]] geometry::VecArray checked(const base::Runtime& runtime, const base::InView& points) {
@@ -38,7 +39,7 @@ constexpr double thinnest = 1e-12;
     return position;
 }
 
-// Returns for each place the first of the places that it is merged with.
+// Returns the representative of each place: the first of all places that are merged with it.
 [[nodiscard]] base::Array<std::int64_t> representatives(const geometry::PointTree& tree,
                                                         const base::Array<double>& distance, double reach) {
     base::Array<std::int64_t> first(tree.points().memory(), tree.size());
@@ -52,7 +53,7 @@ constexpr double thinnest = 1e-12;
     return first;
 }
 
-// Returns the median of the distances above `least`, or 0 if all are smaller.
+// Returns the median of the distances above `least`, or 0 if no distance is above it.
 [[nodiscard]] double spacing_of(const base::Array<double>& distance, double least) {
     base::Array<double> positive(distance.memory());
     for (const double d : distance)
@@ -228,7 +229,8 @@ void Moments::add(const glm::dvec3& p, double weight) noexcept {
 }
 
 Plane plane_of(const Moments& moments) noexcept {
-    constexpr int sweeps = 8; // Four sweeps are enough, because the sweeps converge quadratically.
+    // Sweeps converge quadratically, so four are enough for full precision; the others are a reserve.
+    constexpr int sweeps = 8;
     Plane plane;
     if (!(moments.count > 0.0)) return plane;
     const glm::dvec3 c = moments.sum / moments.count;

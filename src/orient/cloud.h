@@ -13,8 +13,8 @@
 
 namespace hrbfnpr::orient {
 
-// Points in the order of a tree, about 1 apart, each with its rank in the farthest-first order. A place is an index of
-// a point in the order of the tree.
+// Points in the order of a tree. Their spacing is about 1, and each has its rank in a farthest-first order. A "place"
+// is the index of a point in the order of the tree.
 struct OrderedPoints {
     explicit OrderedPoints(base::Memory& memory) noexcept : rank(memory) {}
 
@@ -36,8 +36,8 @@ struct Cloud : OrderedPoints {
     glm::dvec3 centre{0.0};
     double spacing = 1.0; // median distance to the nearest other point, in the caller's unit
     std::int64_t merged = 0;
-    // If the points lie along curves, neighbours define no plane. This is then the number of first places, in the
-    // farthest-first order, that spread over the whole surface on which the curves lie. Otherwise it is 0.
+    // If the points lie along curves, neighbours define no plane. This is then the number of points at the beginning of
+    // the farthest-first order that spread evenly over the whole surface on which the curves lie. Otherwise it is 0.
     std::int64_t spread_count = 0;
 };
 

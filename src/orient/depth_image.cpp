@@ -24,11 +24,13 @@ namespace {
 
 constexpr std::int64_t pixels_a_task = 1024;
 constexpr std::int64_t tasks_a_band = 32;
-constexpr double regular = 1e-9;         // In square pixels. Added so that a fit to pixels in one row has a solution.
+// The amount added to a variance so that a plane fits pixels in one row, in square pixels.
+constexpr double regular = 1e-9;
 constexpr std::int32_t small_radius = 2; // radius of the square of pixels of a small plane
 constexpr double small_count = 25.0;
-constexpr double small_square = 50.0;          // the sum of (column offset)^2 over the 25 pixels of a small plane
-constexpr double of_step = 0.2886751345948129; // the standard deviation of rounding to whole numbers: 1 / sqrt(12)
+constexpr double small_square = 50.0; // the sum of (column offset)^2 over the 25 pixels of a small plane
+// The standard deviation of the error of rounding to whole numbers: 1 / sqrt(12).
+constexpr double of_step = 0.2886751345948129;
 
 // The least squares line y = slope x + start, and how well it fits.
 class LineFit {
@@ -61,7 +63,8 @@ struct Camera {
         return static_cast<std::int32_t>(i / depth.columns);
     }
     // Returns the disc radius for an inverse depth. The error of a plane's slope is the error of its depths divided by
-    // the disc's width. So the radius grows with the noise of z over the width of a pixel, z / focal_length.
+    // the width of the disc. So the radius grows with the ratio of the noise of z to the width of a pixel on the
+    // surface, z / focal_length.
     [[nodiscard]] double radius_at(double inverse_depth, double smoothing) const noexcept {
         const double wrong = noise / inverse_depth * focal_length;
         return std::clamp(smoothing * depth_tuning.widening * std::sqrt(wrong), double{Discs::least},
@@ -175,8 +178,9 @@ void read_pixel(const DepthImageInput& input, std::int64_t i, Camera& camera) {
     return camera;
 }
 
-// Returns the plane from which the fit at a pixel starts. Its slope is that of the best small plane that covers the
-// pixel. Its error is the error that nearby pixels may have, by noise or by curvature.
+// Returns the plane with which the fit at a pixel starts. The plane passes through the depth of the pixel, and has the
+// slope of the best small plane that covers the pixel. Its error is the error that nearby pixels may have, by noise or
+// by curvature.
 [[nodiscard]] SmallPlane best_plane(const Camera& camera, std::int64_t i) noexcept {
     const InverseDepth& depth = camera.depth;
     const std::int32_t column = camera.column_of(i);
@@ -229,8 +233,8 @@ void add_whole_disc(std::int32_t radius, base::Array<Tap>& taps) {
         }
 }
 
-// Adds the middle pixel and rings around it. The first ring has 6 pixels, and each further ring has 6 more than the
-// ring before.
+// Adds the middle pixel, and rings of pixels around it. The first ring has 6 pixels, and each further ring has 6 pixels
+// more than the previous ring.
 void add_ringed_disc(std::int32_t radius, base::Array<Tap>& taps) {
     taps.push_back({0, 0, 1.0});
     constexpr int rings = depth_tuning.rings;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The steps of a judgement are:
 //
-//   compare              measures how alike given normals and those of least energy are: colours are not alike
-//   are_inward           tells whether most normals point inward: then all are turned
-//   have_random_signs    tells whether neighbours agree by chance only: then each gets the sign of least energy
-//   find_turned_patches  finds patches of places that are against the least energy: otherwise these are turned
+//   compare              measures how alike the given normals and those of least energy are; colours are not alike
+//   are_inward           tells whether most normals point inward; if so, all are turned
+//   have_random_signs    tells whether neighbours agree by chance only; if so, each gets the sign of least energy
+//   find_turned_patches  finds patches whose normals are opposite to those of least energy, and which are turned
 #include "orient/given_normals.h"
 
 #include "base/assert.h"
@@ -34,8 +34,8 @@ struct JudgementInput {
 };
 
 struct Similarity {
-    double same_sign = 0.0; // share whose signs are those of least energy
-    double far = 0.0;       // share of lines more than 60 degrees off
+    double same_sign = 0.0; // the share of given normals that have the sign of least energy
+    double far = 0.0;       // the share of given normals whose lines are more than 60 degrees off
     double median = 0.0;    // the median |cosine| between given lines and lines of least energy
 };
 
@@ -57,15 +57,16 @@ struct Similarity {
     return similarity;
 }
 
-// Returns whether most given normals point inward. If the least energy is doubtful, only the winding numbers of the
-// given normals decide.
+// Returns whether most given normals point inward. They are compared with the outward normals of least energy, or, if
+// those are doubtful, judged by their own winding numbers.
 [[nodiscard]] bool are_inward(const JudgementInput& c, double alike, const base::Progress& progress) {
     if (!c.evidence.doubtful) return alike < 0.5;
     return measure_winding({c.runtime, progress}, c.tree, c.near, c.given.normal).outward() < 0;
 }
 
-// Returns whether the signs of the given normals look random: about half of the neighbours agree with the signs of
-// least energy. If the least energy is doubtful, opposite neighbours must also not be the two sides of a wall.
+// Returns whether the signs of the given normals look random: about half of the pairs of neighbours are related as in
+// the normals of least energy. If the least energy is doubtful, neighbours with opposite normals must not be the two
+// sides of a wall.
 [[nodiscard]] bool have_random_signs(const JudgementInput& c) {
     std::int64_t pairs = 0;
     std::int64_t consistent = 0;
@@ -89,8 +90,8 @@ struct Similarity {
 }
 
 // Compares normals across the border of a patch. sum / size is 1 if the normals point the same way on both sides, and
-// -1 if they are opposite. A pair of places weighs more the closer it is to lying on one sheet: (1 - (n . d)^2) for
-// both normals, where d is the direction between the places.
+// -1 if they are opposite. Pairs of places on one sheet have the largest weights. With the unit direction d between two
+// places, the weight is the product of 1 - (n . d)^2 over both normals n.
 struct Border {
     void add(const glm::dvec3& one, const glm::dvec3& two, const glm::dvec3& between) noexcept {
         const double square = glm::dot(between, between);

@@ -28,8 +28,10 @@ struct GivenNormals {
 // The evidence by which given normals are judged.
 struct Evidence {
     const geometry::VecArray& least_energy_normals; // normals of least energy, outward
-    bool open = false;                              // Winding numbers do not show the outside, so a rule chooses it.
-    bool doubtful = false; // The confidence of `least` is low, so given normals stay where the judgement is in doubt.
+    // Winding numbers do not show which side is outside, so a rule chooses it.
+    bool open = false;
+    // The confidence of `least_energy_normals` is low, so given normals are kept if the judgement is in doubt.
+    bool doubtful = false;
 };
 
 struct Judgement {
@@ -38,8 +40,9 @@ struct Judgement {
     NormalMode found = NormalMode::none;
     Signs signs;                // for each place: -1 if its given normals must be turned
     double made_sign = 1.0;     // the sign that turns the normals of least energy where no normal is given
-    bool follows_given = false; // The given normals decide which side is outward.
-    bool by_place = false;      // All given normals of a place are turned to agree with the first of them.
+    bool follows_given = false; // The given normals decide which side of the surface is outward.
+    // All given normals of a place are turned to agree with the first given normal of the place.
+    bool by_place = false;
 };
 
 [[nodiscard]] Judgement judge(const base::Work& work, const Cloud& cloud, const NeighbourLists& near,

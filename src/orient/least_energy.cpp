@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The steps of the search are:
 //
-//   starts             are planes through near and far neighbours, directions from the middle, and given normals
+//   starts             directions to begin with: planes of near and far neighbours, rays from the middle, given normals
 //   find_signs         (signs.h) finds signs by the energy
 //   descend            finds directions by the energy: limited-memory BFGS on the product of the normals' spheres
-//   agreement          measures how far the starts with about as little energy have the signs of the lowest
+//   agreement          compares the signs of the best result with those of other results of about the same energy
 #include "orient/least_energy.h"
 
 #include "base/assert.h"
@@ -65,7 +65,7 @@ public:
             return true;
         }
         if (pairs_ == 0) return false;
-        pairs_ = 0; // The remembered pairs lead to no lower energy, so they are forgotten.
+        pairs_ = 0; // The remembered pairs give a direction that does not lower the energy, so they are forgotten.
         return true;
     }
 
@@ -220,8 +220,9 @@ private:
     base::Array<std::uint8_t> turned_; // 1 if the sign differs from that of the parent; 0 at a root
 };
 
-// Turns directions so that neighbours agree, along the minimum spanning forest of the pairs, where pairs with more
-// alike directions come first (Hoppe and others, "Surface reconstruction from unorganized points", 1992).
+// Turns directions so that neighbours agree. The signs spread along the minimum spanning forest of the pairs of
+// neighbours. The weight of a pair is smaller the more alike its directions are (Hoppe and others, "Surface
+// reconstruction from unorganized points", 1992).
 void spread_signs(const base::Work& work, const NeighbourLists& near, std::int64_t neighbours, VecArray& normal) {
     const std::int64_t each = std::min(neighbours, near.each());
     base::Array<Edge> edges(work.memory);
@@ -235,7 +236,8 @@ void spread_signs(const base::Work& work, const NeighbourLists& near, std::int64
                        std::max(own, other), cosine < 0.0 ? 1 : 0};
         }
     });
-    // Two mutual neighbours give the same edge twice. The two are equal, so their order does not matter.
+    // Two places that are neighbours of each other give the same edge twice. The two edges are equal, so their order
+    // does not matter.
     base::sort_long(
         edges.begin(), edges.end(),
         [](const Edge& x, const Edge& y) {
@@ -258,9 +260,9 @@ void spread_signs(const base::Work& work, const NeighbourLists& near, std::int64
     return to;
 }
 
-// For each place, returns the normal of a plane through it and its `count` nearest leading places. The leading places
-// are the first ones of the farthest-first order, one in `share` of all places. They surround a place on all sides,
-// even if the places lie along lines.
+// Returns, for each place, the normal of a plane through the place and its `count` nearest leading places. The leading
+// places are the first places of the farthest-first order; their number is the number of all places divided by `share`.
+// They surround a place on all sides, even if the places lie along lines.
 [[nodiscard]] VecArray coarse_normals(const base::Work& work, const OrderedPoints& places, std::int64_t share,
                                       std::int64_t count) {
     const geometry::PointTree& tree = *places.tree;
@@ -297,9 +299,9 @@ struct Result {
     double energy;
 };
 
-// Returns how many signs other results share with the chosen one, as a weighted mean. A result weighs more the closer
-// its energy is to the energy of the chosen one. The result of the coarser cloud counts, too. Writes LeastEnergy's
-// rival.
+// Returns how far the other results agree with the chosen one: 1 if all signs are equal, and 0 if they are random. It
+// is a weighted mean. A result has a larger weight the closer its energy is to the energy of the chosen one. The result
+// of the coarser cloud counts, too. Writes LeastEnergy::rival to `rival`.
 double agreement(const std::vector<Result>& results, const Result& chosen, const CoarseStart* begin,
                  double& rival) noexcept {
     // Rounding may make a sum of squares negative.
@@ -331,7 +333,7 @@ LeastEnergy least_energy(const base::Work& work, const OrderedPoints& places, co
     HRBFNPR_ASSERT(places.rank.size() == places.size() && ridge >= 0.0 && options.starts >= 0);
     const std::int64_t size = places.size();
     const base::Work standing = work.without_progress();
-    // For few places, more neighbours cost little.
+    // A small number of places is fitted with more neighbours, because they cost little time.
     const auto neighbours = static_cast<std::int32_t>(
         std::min<std::int64_t>(size < tuning.few_places ? tuning.neighbours_of_few : tuning.neighbours, size - 1));
     fit::HermiteEnergy energy(work.part(0.0, 0.1), *places.tree, places.rank, {ridge, neighbours});

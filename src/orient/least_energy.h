@@ -35,8 +35,8 @@ struct LeastEnergy {
     geometry::VecArray normal; // unit normal of each place
     double energy = 0.0;       // energy per degree of freedom; 0.025 for points without any order
     double agreement = 1.0;    // 0 to 1: the share of equal signs among the results of about the same energy
-    // The least energy of a result with other signs, divided by the chosen energy. NeighbourLists 1, the noise decides
-    // between the two.
+    // The least energy of a result with other signs, divided by the energy of the chosen result. If the ratio is near
+    // 1, only the noise decides between the two results.
     double rival = std::numeric_limits<double>::infinity();
 };
 

@@ -31,7 +31,8 @@ struct Refinement {
     base::Array<double> part; // for each place: a term of a sum, or a sign
 };
 
-// Returns the median spacing. On an evenly sampled plane, the sixth neighbour is 1.38 spacings away.
+// Returns the median spacing, computed from distances to the sixth neighbour. On an evenly sampled plane, the sixth
+// neighbour is 1.38 spacings away.
 [[nodiscard]] double median_spacing(const geometry::PointTree& tree, const NeighbourLists& near) {
     constexpr double distance_to_sixth = 1.38;
     base::Array<double> all(tree.points().memory());

@@ -12,10 +12,11 @@ namespace hrbfnpr::orient {
                                                    const NeighbourLists& near, const geometry::VecArray& normal,
                                                    double deviation);
 
-// Averages directions over the best width from 1 to 3 spacings. A chord between places is perpendicular to the mean of
-// the correct normals at its ends, so the best width is that whose means fit chords of two to four spacings. If no
-// width is clearly better than none, directions stay as they are. If the width is two spacings or more, a place of a
-// wall then gets the direction of the nearer face.
+// Replaces each direction by a mean over its neighbourhood. The best width of the mean, from 1 to 3 spacings, is found
+// by chords between places: a chord is perpendicular to the mean of the correct normals at its ends. The best width is
+// the one whose means fit chords of two to four spacings best. If no width is clearly better than no averaging, the
+// directions are not changed. If the width is two spacings or more, a place of a wall then gets the direction of the
+// nearer face.
 void refine_noisy(const base::Work& work, const geometry::PointTree& tree, geometry::VecArray& normal);
 
 // Returns a cloud of means. Each of the first `count` places of the farthest-first order becomes the mean of the points

@@ -2,11 +2,11 @@
 // The steps are:
 //
 //   measure_noise      finds the regularization that lowers the energy of the cloud, or of patches of it, enough
-//   reduced            replaces the points of a large cloud by means, if the noise is above their spacing
-//   fit_even           fits clean points, and many noisy ones: the least energy with that regularization
-//   fit_noisy          fits few noisy points: the least energy as regularization rises, then means of directions
-//   fit_curves         fits points along curves: the least energy of a few of them, then of twice as many, which start
-//                      from the normals before, until all points have one
+//   reduced            replaces the points of a large cloud by means, if the noise is large compared with their spacing
+//   fit_even           fits clean points, or many noisy points: finds the least energy with that regularization
+//   fit_noisy          fits few noisy points: finds the least energy as regularization rises, then averages directions
+//   fit_curves         fits points along curves: finds the least energy of a few points, then of twice as many, and so
+//                      on up to all points; each search starts from the normals of the search before
 //   confidence_of      measures how well starts, regularizations and coarser clouds agree
 #include "orient/normals_of_cloud.h"
 
@@ -66,7 +66,8 @@ struct Noise {
         work.runtime().log(base::LogLevel::debug, "orient: ridge %.0f: energy %.4f", noise.ridge, fitted.energy);
         if (fitted.energy < tuning.settled_below) break;
     }
-    // Where few points lie on thin tubes, regularization loses signs that were clear without it.
+    // Where few points lie on thin tubes, regularization changes signs that are certain without it. The cloud then
+    // counts as clean.
     if (clear && share_alike(clean.normal, fitted.normal) < tuning.same_signs) return {};
     noise.deviation = std::sqrt(noise.ridge * fitted.energy);
     return noise;
@@ -92,8 +93,9 @@ struct Noise {
     return agreement * agreement * order * std::exp(-1.5 * noise * noise);
 }
 
-// If starts disagree, or if signs change with the regularization, signs are more often wrong than right. Noise lowers
-// the confidence further: a noisy sheet cannot be distinguished from a wall three standard deviations thick.
+// Returns a confidence that is low if starts disagree, or if signs change with the regularization: signs are then more
+// often wrong than right. Noise lowers the confidence further, because a noisy sheet cannot be distinguished from a
+// wall three standard deviations thick.
 [[nodiscard]] double confidence_of(const RidgeFit& found, double noise) noexcept {
     const double agreement = std::clamp(found.fitted.agreement, 0.0, 1.0);
     return confidence_of(agreement, found.roughest, noise) * agreement * agreement *
@@ -117,7 +119,8 @@ void fit_even(const base::Work& work, const Cloud& cloud, const NeighbourLists& 
     result.confidence =
         confidence_of(std::clamp(result.fitted.agreement, 0.0, 1.0), result.fitted.energy, noise.deviation);
     if (noise.ridge == 0.0 || cloud.size() > tuning.few_points) return;
-    // A lower regularization should give the same signs. Where walls are as thin as the noise, it does not.
+    // A lower regularization should give the same signs. If it gives other signs, walls are as thin as the noise, and
+    // the confidence is lowered.
     const LeastEnergy other = fit(tuning.softer * noise.ridge, nullptr, {1, false, false}, work.without_progress());
     result.confidence *= std::max(0.0, 2.0 * share_alike(result.fitted.normal, other.normal) - 1.0);
 }
@@ -157,9 +160,10 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const NeighbourLists&
     return all;
 }
 
-// Returns the normals of least energy of ever finer levels, which double the number of places. The first level has the
-// first places that spread over the whole surface, and each later level starts from the normals before it. As points
-// become denser, the energy falls without noise, and rises where noise is interpolated.
+// Returns the normals of least energy of ever denser levels of points. The first level has the first `spread_count`
+// points, which spread over the whole surface. Each later level has twice as many points and starts from the normals of
+// the level before. Without noise, the energy falls as points become denser. With noise it rises, because the noise is
+// interpolated.
 [[nodiscard]] std::vector<CoarseStart> begin_from_coarser(const base::Work& work, const Cloud& cloud) {
     std::vector<CoarseStart> levels;
     const std::int64_t most = std::min(cloud.size(), tuning.few_points);
@@ -184,9 +188,9 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const NeighbourLists&
     return levels;
 }
 
-// Returns the coarser cloud whose normals are better than those of all points, or null. It considers the coarser clouds
-// whose signs agree with the cloud of least energy for its spacing, and returns the one of least energy. With noise, a
-// denser cloud has more energy, and its directions vary more.
+// Returns the coarser cloud whose normals are better than those of all points, or null. It starts with the coarser
+// cloud of least energy at unit spacing. It then prefers a coarser cloud that has less energy and nearly the same
+// signs. With noise, a denser cloud has more energy, and its directions vary more.
 [[nodiscard]] CoarseStart* start_to_keep(std::vector<CoarseStart>& coarser, double energy) noexcept {
     const auto least = std::min_element(coarser.begin(), coarser.end(), [](const CoarseStart& a, const CoarseStart& b) {
         return a.energy_at_unit_spacing() < b.energy_at_unit_spacing();

@@ -4,9 +4,9 @@
 //   read_cloud         (cloud.h) merges the points, scales them to 1 apart, and puts them in a tree's order
 //   read_given         (given_normals.h) reads the given normals, which are one of the starts
 //   normals_of_cloud   (normals_of_cloud.h) finds the normals of least energy
-//   turn_outward       (outward.h) finds the sign of the whole
+//   turn_outward       (outward.h) turns all normals together, so that they point outward
 //   judge              (given_normals.h) judges the given normals
-//   write_normals      writes a normal for each point: a made one, or the given one, which stays or is turned
+//   write_normals      writes a normal for each point: the one found, or the given one, which is turned if necessary
 #include "orient/orient.h"
 
 #include "base/clock.h"
@@ -42,7 +42,8 @@ void write_normals(const OrientInput& input, const Cloud& cloud, const VecArray&
             report.made += look_only ? 0 : 1;
             continue;
         }
-        // Points that coincide may have different given normals.
+        // Points at one place may have different given normals. `against` is true if this one is opposite to the first
+        // one.
         const bool against = glm::dot(own, given.normal[at]) < 0.0;
         const bool turned = (judgement.signs[at] < 0) != (against && judgement.by_place);
         result.normal.set(i, turned ? -own : own);

@@ -32,7 +32,7 @@ constexpr double sphere = 12.566370614359172; // the solid angle of a whole sphe
         seen += glm::dot(normal[at], rule.viewpoint - cloud.point(at)) > 0.0 ? own : -own;
     }
     if (rule.has_viewpoint) return seen >= 0.0 ? 1 : -1;
-    constexpr double across = 1e-3; // Larger values are more than rounding.
+    constexpr double across = 1e-3; // A smaller share of the area is rounding.
     for (const glm::dvec3& axis :
          {rule.up, glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(1.0, 0.0, 0.0)})
         if (std::abs(glm::dot(area, axis)) > across * all) return glm::dot(area, axis) > 0.0 ? 1 : -1;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The steps of the solver are:
 //
-//   find_patches    joins a few neighbours whose normals agree, in place of single places; large clouds only
-//   Agglomeration   makes rounds in which each cluster finds a partner and joins it, until one is left
-//   improve         sweeps from the coarsest clusters to single places, and turns each where that lowers the energy
+//   find_patches    joins places and their neighbours to patches, which are the first clusters; for large clouds only
+//   Agglomeration   makes rounds in which each cluster joins a partner, until only one cluster is left
+//   improve         sweeps from the largest clusters to single places, and turns each if that lowers the energy
 //
 // The energy is a sum of squares made from the terms of the sparse factor. The elements of a sparse term are a few
 // places; those of the dense term are the coarsest places.
@@ -27,7 +27,7 @@ namespace {
 constexpr std::int64_t clusters_a_task = 256;
 constexpr std::int64_t places_a_look = 512;
 
-// Sums numbers for each cluster. A cluster is identified by its name.
+// Sums numbers for each cluster. The name of a cluster is the index of its first place.
 struct ClusterSums {
     explicit ClusterSums(const base::Runtime& runtime) noexcept
         : sum(runtime.memory), is_there(runtime.memory), names(runtime.memory) {}
@@ -54,10 +54,11 @@ struct ClusterSums {
 
 using Vec4 = std::array<double, 4>;
 
-// For each level, from fine to coarse: the name of each place's cluster, which is the first place in it.
+// For each level, from fine to coarse: the name of the cluster of each place. The name is the first place of the
+// cluster.
 using Levels = std::vector<base::Array<std::int32_t>>;
 
-// The terms of the energy for directions that are given and signs that are not.
+// The terms of the energy. The directions are fixed, and the signs are the unknowns.
 struct SignTerms {
     SignTerms(const base::Work& work, const fit::HermiteEnergy& energy, const geometry::VecArray& normal)
         : runtime(work), terms(energy.terms(normal, work)), blocks(terms.blocks), size(energy.size()),
@@ -218,7 +219,7 @@ private:
         const base::ScratchPool<ClusterSums>::Lease sums(sums_);
         sums->clear(size_);
         for_terms(name, [&](std::int64_t term) {
-            progress_.check(); // A large cluster has many terms, so this may take long.
+            progress_.check(); // The check is inside the loop because a large cluster has many terms.
             const Vec4 own = part_of(name, term);
             energy_.for_elements(term, [&](std::int64_t e) {
                 const std::int32_t other = cluster_[blocks_.set[e]];
@@ -304,7 +305,8 @@ private:
     base::ScratchPool<ClusterSums> sums_;
 };
 
-// The totals of all terms. They tell how the energy changes if a set of places is turned.
+// Turns sets of places if that lowers the energy. It keeps the totals of all terms, from which the change of the energy
+// is computed.
 class SignFlipper {
 public:
     SignFlipper(const SignTerms& energy, Signs& signs, const base::Progress& progress)
@@ -341,7 +343,7 @@ public:
             add_dense(energy_.dense[at] - 1, dense_part_);
             dense = true;
         }
-        const auto for_numbers = [&](auto&& visit) { // visit(the contribution of `members`, the total)
+        const auto for_numbers = [&](auto&& visit) { // Calls visit(contribution of `members`, total) for each number.
             for (const std::int32_t term : terms_)
                 for (std::int64_t c = 4 * std::int64_t{term}; c < 4 * (std::int64_t{term} + 1); ++c)
                     visit(part_[c], total_[c]);
@@ -383,7 +385,7 @@ private:
     base::Array<double> total_;
     base::Array<double> dense_total_;
     base::Array<double> dense_part_;
-    base::Array<std::int64_t> seen_;  // for each term: the number of the last visit that reached it
+    base::Array<std::int64_t> seen_;  // for each term: the index of the last visit to it
     base::Array<std::int32_t> terms_; // the terms to which the places in `members` contribute
     base::Array<double> part_;        // for each term in `terms_`: the contribution of `members`
     std::int64_t visit_ = 0;

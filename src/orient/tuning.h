@@ -51,27 +51,28 @@ struct OrientTuning {
     // more levels.
     double kept_share = 0.3;
     // At most `most_sweeps` sweeps turn clusters. A cluster is turned if the energy falls by more than `least_gain`
-    // times the energy of the cluster alone. Smaller falls are rounding.
+    // times the energy of the cluster alone. Smaller changes may be rounding.
     int most_sweeps = 4;
     double least_gain = 1e-6;
-    // A patch is a place with some of its `patch_neighbours` nearest neighbours. A neighbour belongs to it if the
-    // |cosine| of the normals is at least `patch_alike`, and the sine of the angle between the chord and each tangent
-    // plane is at most `patch_beside`. Larger sine or smaller cosine: patches may reach over edges.
+    // A patch is a place with some of its `patch_neighbours` nearest neighbours. A neighbour belongs to the patch under
+    // two conditions. The |cosine| of the two normals is at least `patch_alike`. The sine of the angle between the
+    // chord and each tangent plane is at most `patch_beside`. Larger sine or smaller cosine: patches may reach over
+    // edges.
     std::int64_t patch_neighbours = 8;
     double patch_alike = 0.9;
     double patch_beside = 0.35;
 
     // ---- Directions
 
-    // The descent remembers `curvature_pairs` pairs of steps and changes of the gradient. It makes at most `most_steps`
-    // steps, and ends when `looked_back` steps gain less than the share `enough_gain` of the energy. Larger, or a
-    // smaller enough_gain: more time.
+    // The descent remembers the last `curvature_pairs` pairs of a step and the change of the gradient in it. It makes
+    // at most `most_steps` steps. It ends when the last `looked_back` steps together lower the energy by less than the
+    // share `enough_gain`. More pairs, more steps or a smaller `enough_gain`: more time.
     int curvature_pairs = 6;
     int most_steps = 60;
     int looked_back = 5;
     double enough_gain = 1e-5;
-    // A step turns no normal by more than `longest_turn` radians. At most `step_halvings` lengths are tried, each half
-    // of the one before, until Armijo's rule holds with the share `armijo`.
+    // A step turns no normal by more than `longest_turn` radians. At most `step_halvings` step lengths are tried, each
+    // half of the previous length, until Armijo's rule holds with the share `armijo`.
     double longest_turn = 0.5;
     int step_halvings = 12;
     double armijo = 1e-4;
@@ -81,10 +82,10 @@ struct OrientTuning {
     // No more starts are made after two starts reach the same result, unless another result has an energy lower by more
     // than this share. Larger: fewer starts.
     double same_energy = 0.03;
-    // In the agreement, the weight of a result falls by a factor of e if its energy is higher by this share. Larger:
-    // bad results cost more confidence.
+    // In the agreement, the weight of a result is exp(-d / unlikely_energy). d is the share by which its energy exceeds
+    // the energy of the chosen result. Larger: bad results cost more confidence.
     double unlikely_energy = 0.15;
-    // A result is a rival of the chosen one if less than this share of their signs is equal.
+    // A result is a rival of the chosen result if less than this share of their signs is equal.
     double other_signs = 0.95;
 
     // ---- Noise
@@ -187,7 +188,7 @@ struct OrientTuning {
     // The normals of a coarser cloud stay if its energy is below this multiple of the energy of all points. Without
     // noise, the energy of points along curves falls to at most 0.8 when their number doubles. Larger: detail is lost.
     double falling = 1.2;
-    // A level of less energy then replaces that cloud if more than this share of the signs is equal.
+    // A level with less energy than that cloud replaces it if more than this share of their signs is equal.
     double signs_of_level = 0.97;
 
     // ---- Confidence
@@ -199,7 +200,7 @@ struct OrientTuning {
     double no_order = 0.03;
     // The confidence falls by a factor of e if this share of the signs changes with the regularization.
     double unsteady = 0.03;
-    // Signs should not change if the regularization is multiplied by this factor.
+    // To test the confidence, the regularization is multiplied by this factor. The signs should not change.
     double softer = 0.125;
 
     // ---- The outside
@@ -250,14 +251,15 @@ struct DepthTuning {
     // column and of y / z with the row exceed `in_line`.
     std::int64_t least_seen = 64;
     double in_line = 0.99;
-    // The radius of a disc, in pixels, where one standard deviation of depth equals the width of a pixel. It grows with
-    // the square root of the deviation. Larger: smoother, and flatter where the surface is curved.
+    // The radius of a disc, in pixels, for which one standard deviation of depth equals the width of a pixel on the
+    // surface. The radius grows with the square root of the deviation. Larger: smoother, and flatter where the surface
+    // is curved.
     double widening = 12.0;
     // A camera has depth steps if, on average, at least this many pixels share each value of 1 / z.
     std::int64_t same_steps = 8;
-    // The error of a small plane counts as at least `rounding` times 1 / z, because most images are in single
-    // precision. It counts as at most `most_curved` times 1 / z, unless the noise is larger. Larger: more is smoothed
-    // over an edge.
+    // The error of a small plane is raised to at least `rounding` times 1 / z, because most images are in single
+    // precision. It is limited to `most_curved` times 1 / z, or to the noise if that is larger. Larger: more is
+    // smoothed over an edge.
     double rounding = 1e-6;
     double most_curved = 5e-3;
     // Pixels farther off the plane than this, in standard deviations of the noise, lie beyond an edge. For a camera

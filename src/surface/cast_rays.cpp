@@ -50,7 +50,8 @@ struct Ray {
     Phase phase = Phase::march;
 };
 
-// Clips the range [from, to] along the unit direction to the region. Returns whether a part remains.
+// Clips the range [from, to] of a ray to the region. `direction` is a unit vector. Returns whether a part of the range
+// remains.
 bool clip(const geometry::Bounds& region, const glm::dvec3& origin, const glm::dvec3& direction, double& from,
           double& to) noexcept {
     for (int axis = 0; axis < 3; ++axis) {

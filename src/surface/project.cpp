@@ -16,7 +16,7 @@ namespace {
 constexpr std::int64_t projected_at_once = implicit::batch_size;
 using Column = std::array<double, static_cast<std::size_t>(projected_at_once)>;
 
-// If a trial is less than this share of the Newton step, it moves a point no more than rounding.
+// The smallest trial step, as a share of the Newton step. A shorter step would change a point only by rounding.
 constexpr double smallest_share = 1e-14;
 
 // Steepest descent on phi = f^2, whose gradient is 2 f g with g = grad f:

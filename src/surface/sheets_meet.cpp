@@ -11,8 +11,8 @@ namespace {
 // Sheets that meet at an angle whose squared sine is less than this count as parallel.
 constexpr double parallel = 1e-10;
 constexpr int steps_to_meet = 20;
-// If steps do not become shorter, they count as rounding if they are below this many tolerances. For sheets with
-// thousands of centres and large weights, rounding exceeds 1e-9 of a cell.
+// Where steps no longer become shorter, the search has converged up to rounding if a step is below this many
+// tolerances. For sheets with thousands of centres and large weights, rounding exceeds 1e-9 of a cell.
 constexpr double rounded = 1e3;
 
 implicit::PointBatch single_point(const glm::dvec3& place) noexcept { return {&place.x, &place.y, &place.z, 1}; }

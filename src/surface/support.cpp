@@ -17,12 +17,12 @@ namespace {
 constexpr std::int64_t sixth = 6;
 constexpr std::int64_t around = 17;
 constexpr std::int64_t supported_a_task = 64;
-// `scale` multiplies s. `width` is the width of a sample's kernel, in spacings. `width_of_dense` is the least width, in
-// units of `closest`. It makes all nearest samples count where samples are dense.
+// The factor of s, the width of a sample's kernel in spacings, and the least width in units of `closest`. The least
+// width makes all nearest samples count where samples are dense.
 constexpr double scale = 3.0;
 constexpr double width = 0.9;
 constexpr double width_of_dense = 0.8;
-// In kept cells, s is limited to this share of the limit.
+// The largest value of s in kept cells, as a share of the limit.
 constexpr double borne_out = 0.9;
 
 // Returns the distance to the sixth neighbour. If there are fewer neighbours, it uses the middle one, because the last

@@ -27,13 +27,14 @@ public:
 
     // The value of s at a point with a normal, and its derivatives with respect to both.
     struct ValueAndDerivatives {
-        double value;               // infinite if no sample is near or faces the same way
+        double value;               // infinite if no sample near the point faces the same way
         glm::dvec3 place_gradient;  // the gradient of s for a fixed normal
         glm::dvec3 normal_gradient; // the derivative of s with respect to the normal; it is perpendicular to the normal
     };
 
-    // `position` and `normal` (unit) are those of one or more samples. Spacings below `closest` are raised to it. So
-    // samples that are denser than the shape is accurate support all places within `closest`.
+    // `position` and `normal` (unit) are those of one or more samples. Spacings below `closest` are raised to
+    // `closest`. It is the accuracy of the shape: samples that are denser than this support all places within this
+    // distance.
     Support(const base::Work& work, const geometry::VecArray& position, const geometry::VecArray& normal,
             double closest);
 

@@ -9,9 +9,9 @@
 
 namespace hrbfnpr::surface {
 
-// Returns whether its neighbours surround sample i. `neighbours` are nearest first, without the sample itself. It uses
-// those of the first twelve that face the same way. Seen along the sample's unit normal, they must leave no gap of 120
-// degrees or more. At a straight border the gap is 180 degrees.
+// Returns whether the neighbours of sample i surround it. `neighbours` are sorted, the nearest first, without the
+// sample itself. Only those of the first twelve whose normals point the same way are used. Seen along the unit normal
+// of the sample, they must leave no gap of 120 degrees or more. At a straight border the gap is 180 degrees.
 [[nodiscard]] bool is_surrounded(const geometry::VecArray& position, const geometry::VecArray& normal,
                                  std::span<const std::int64_t> neighbours, std::int64_t i) noexcept;
 

@@ -2,9 +2,9 @@
 // The steps of compare(), in order:
 //
 //   find_surface     finds the surface as triangles, from places on the mesh and from a coarse lattice
-//   parts_of         counts its components and handles; if the mesh has others, finer cells are tried once
-//   measure_surface  measures distances of places on the surface, spread by sample_surface(), from the mesh
-//   measure_mesh     measures distances of places on the mesh from the surface, and angles between the normals
+//   parts_of         counts components and handles of the surface; if the mesh has other numbers, cells are halved once
+//   measure_surface  measures the distances to the mesh from places on the surface, which sample_surface() spreads
+//   measure_mesh     measures the distances to the surface from places on the mesh, and angles between the normals
 #include "mesh/fit/compare.h"
 
 #include "base/clock.h"
@@ -25,7 +25,8 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-// The streams of random numbers for places. They differ from the streams of a fit, so the places are new.
+// The indices of the streams of random numbers that choose places. A fit uses other streams, so the places are not
+// those of the fit.
 constexpr std::uint32_t places_of_mesh = 77;
 constexpr std::uint32_t places_of_surface = 1U << 16U;
 
@@ -75,7 +76,8 @@ void add_lattice(const CompareTask& task, geometry::VecArray& seeds) {
             seeds.push_back(on.position[i]);
 }
 
-// Returns whether finer cells may show more of the surface, without making too many triangles.
+// Returns whether parts of the surface are too thin for the cells, so that finer cells may show more of it. Returns
+// false if finer cells would make too many triangles.
 [[nodiscard]] bool too_thin(const curves::SurfaceMesh& surface) noexcept {
     const auto triangles = static_cast<double>(surface.triangles());
     const bool thin =
@@ -111,8 +113,8 @@ struct SurfaceParts {
     return parts;
 }
 
-// Returns whether a closed mesh and the surface differ in their numbers of components or handles. They do where a wall
-// or a gap is too thin for the cells.
+// Returns whether a closed mesh and the surface have different numbers of components or handles. The numbers differ
+// where a wall or a gap is too thin for the cells.
 [[nodiscard]] bool differ(const SurfaceParts& parts, const MeshReport& report) noexcept {
     return report.closed &&
            (parts.genus != report.genus || parts.components != report.components - report.left_out_components);
@@ -130,7 +132,7 @@ struct SurfaceParts {
     return {work, vertex, triangle};
 }
 
-// ---- From the surface
+// ---- Distances from places on the surface to the mesh
 
 // Returns places on the surface, spread evenly over its area. If a projection fails, the place stays on its triangle.
 [[nodiscard]] SurfacePlaces sample_surface(const CompareTask& task, const curves::SurfaceMesh& surface,
@@ -177,10 +179,11 @@ void measure_surface(const CompareTask& task, const Mesh& mesh, const curves::Su
     result.surface = statistics_of(distance, result.tolerance, far);
 }
 
-// ---- From the mesh
+// ---- Distances from places on the mesh to the surface
 
-// Measures two distances and uses the smaller one. The projection may end beyond the nearest place, and the triangles
-// are chords of the surface.
+// Measures two distances from each place and uses the smaller one: to the place's projection onto the surface, and to
+// the nearest triangle. The projection may miss the nearest point of the surface, and the triangles are only close to
+// the surface.
 void measure_mesh(const CompareTask& task, const curves::SurfaceMesh& surface, const MeshSamples& samples, double far,
                   Comparison& result) {
     const surface::Projection on = projected(task, samples.position, mesh_fit_tuning.mesh_evaluations,

@@ -28,7 +28,7 @@ struct DistanceStatistics {
     double p99 = std::numeric_limits<double>::quiet_NaN();
     double most = std::numeric_limits<double>::quiet_NaN();
     double share = std::numeric_limits<double>::quiet_NaN();  // the share within the tolerance
-    double beyond = std::numeric_limits<double>::quiet_NaN(); // the share beyond `far`
+    double beyond = std::numeric_limits<double>::quiet_NaN(); // the share of the distances above `far`
 
     // Returns whether at least `least_share` of the distances is within the tolerance and no distance is beyond
     // `farthest`.
@@ -64,7 +64,7 @@ struct SurfaceSearch {
     double side = 0.0;       // the side length of a cell
     bool finer = false;      // If set, cells are halved repeatedly where the surface is thinner than a cell.
     double precision = 1e-9; // the precision of the surface's vertices, in diagonals
-    std::int64_t count = 0;  // the number of places
+    std::int64_t count = 0;  // the number of places on the surface
     std::uint64_t seed = 1;
     // If not null, places whose support value is above the limit are left out.
     const surface::Support* support = nullptr;
@@ -78,7 +78,8 @@ struct SurfacePlaces {
     geometry::VecArray gradient; // the gradient of f
 };
 
-// Returns triangles of the surface near the seeds, and of the surface that projections from a coarse lattice reach.
+// Returns triangles of the surface. The search begins at the seeds, and at points of a coarse lattice, which it
+// projects onto the surface.
 [[nodiscard]] curves::SurfaceMesh find_surface(const base::Work& work, const implicit::Implicit& implicit,
                                                const geometry::VecArray& seeds, const SurfaceSearch& search);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Makes a smooth fit to a mesh, by fit_adaptively() with the mesh as its centre chooser.
 //
-//   gather_candidates         takes places on the mesh, even over its area and in the middles of faces
+//   gather_candidates         takes places on the mesh: places spread evenly over its area, and the middles of faces
 //   distances_of_candidates   measures how far the candidates are from the fit
 //   look_at_surface           measures how far the surface is from the mesh, and adds centres where it is far
 //   look                      chooses the centres of the next round, after each round
@@ -34,9 +34,9 @@ namespace {
 
 // ---- The fit at many places
 
-// Measured times on two cores with AVX2: for each pair of a place and a centre, and for making a far field with the
-// precision and the number of near centres below, in total and for each centre. A field must save `worth` times the
-// time that making it takes.
+// Times measured on two cores with AVX2, in seconds: for each pair of a place and a centre, for making any far field,
+// and for each centre of a far field. The far field has the precision and the number of near centres below. It is made
+// only if it saves `worth` times the time that making it takes.
 constexpr double seconds_a_pair = 1.1e-9;
 constexpr double seconds_a_field = 0.05;
 constexpr double seconds_a_centre = 8.5e-5;
@@ -145,10 +145,10 @@ fit::Samples gather_candidates(const Task& task, FitMeshReport& report) {
     return candidates;
 }
 
-// ---- The mesh from the surface
+// ---- Distances from the mesh to the surface
 
-// Returns the distance of each candidate from the surface. If f grows inward at a candidate, the surface near it is
-// spurious, or there is no surface near it.
+// Returns the distance of each candidate from the surface. Where f grows inward at a candidate, the distance is at
+// least `wrong_side` tolerances, because the surface near the candidate is spurious or missing.
 base::Array<double> distances_of_candidates(const Task& task, const fit::Samples& candidates,
                                             const fit::Distances& distances, double tolerance) {
     base::Array<double> distance(task.work.memory);
@@ -160,8 +160,8 @@ base::Array<double> distances_of_candidates(const Task& task, const fit::Samples
     return distance;
 }
 
-// Measures the distances from other places of the mesh to the surface. For candidates only first-order estimates are
-// known.
+// Measures the distances to the surface from places of the mesh that were not candidates. It projects these places. For
+// candidates only first-order estimates of the distance are known.
 DistanceStatistics verify(const Task& task, const implicit::HrbfData& data, const FitMeshReport& report) {
     const auto& [work, mesh, tree, settings, outer] = task;
     MeshSamples samples = random_samples(work, mesh, fit_mesh_tuning.verified_places, settings.seed, 2);
@@ -181,9 +181,10 @@ DistanceStatistics verify(const Task& task, const implicit::HrbfData& data, cons
     return statistics_of(distance, report.tolerance, report.far);
 }
 
-// ---- The surface from the mesh
+// ---- Distances from the surface to the mesh
 
-// Returns the distance from each place to the mesh. Beyond a border it is 0, because drawings trim the surface there.
+// Returns the distance from each place to the mesh. It is 0 for places whose nearest point of the mesh is on a border,
+// because drawings trim the surface there.
 base::Array<double> distances_to_mesh(const Task& task, const geometry::VecArray& place) {
     base::Array<double> distance(task.work.memory, place.size());
     task.work.for_chunks(distance.size(), 256, [&](std::int64_t begin, std::int64_t end) {
@@ -195,9 +196,10 @@ base::Array<double> distances_to_mesh(const Task& task, const geometry::VecArray
     return distance;
 }
 
-// Adds centres off the mesh at places of the surface that are far from it, farthest first. The distance between centres
-// is about their distance from the mesh. f is held to the signed distance there, if the side of the place is certain.
-// `held` are the centres that the fit has already; new ones go to `added`.
+// Adds centres at places of the surface that are far from the mesh, the farthest first. The distance between two of
+// these centres is about their distance from the mesh. The value of f at a centre is the signed distance from the mesh.
+// Places of which the side of the mesh is uncertain are left out. `held` are the existing centres off the mesh; new
+// ones are appended to `added`.
 void add_off_surface_centres(const Task& task, const geometry::VecArray& place, const base::Array<double>& distance,
                              double tolerance, std::int64_t room, const fit::Samples& held, fit::Samples& added) {
     HRBFNPR_ASSERT(distance.size() == place.size());
@@ -257,7 +259,8 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
     FitMeshReport report = first_report(mesh, settings);
     const double share = settings.share + fit_mesh_tuning.margin * (1.0 - settings.share);
     fit::FitInput options = given;
-    options.tolerance = report.tolerance; // Accepts residuals that are too small to change a distance.
+    // With a tolerance, the solver accepts residuals that are too small to change a distance.
+    options.tolerance = report.tolerance;
     options.automatic_tolerance = std::clamp(fit_mesh_tuning.residual * report.tolerance / diagonal,
                                              fit_mesh_tuning.finest_residual, fit_mesh_tuning.roughest_residual);
 
@@ -281,7 +284,7 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
     std::int32_t idle = 0; // the number of consecutive rounds without a gain
     double input_distance_rms = 0.0;
 
-    // Measures the whole surface, and adds centres off the mesh to `growth` where the surface is far away. Returns
+    // Measures the whole surface. Adds centres off the mesh to `next` where the surface is far from the mesh. Returns
     // whether it added any.
     const auto look_at_surface = [&](const FitField& field, const fit::AdaptiveFit& now, fit::NextCentres& next) {
         geometry::VecArray seeds(work.memory);
@@ -327,8 +330,9 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         base::Array<double> distance = distances_of_candidates(task, candidates, distances, report.tolerance);
         report.mesh = statistics_of(distance, report.tolerance, report.far);
         const bool mesh_good = report.mesh.is_within(share, report.far);
-        // The whole surface is examined only when most of the mesh is within the tolerance, because most spurious
-        // surface has disappeared by then. It is examined again as long as some of it is far away, and at the end.
+        // The whole surface is examined for the first time when most of the mesh is within the tolerance, because most
+        // spurious parts have disappeared by then. It is examined again while some part of it is far from the mesh, and
+        // at the end.
         const bool far = !(report.surface.most <= report.far);
         const bool looked = mesh_good || (report.mesh.share > fit_mesh_tuning.first_look && far);
         bool grown = looked && look_at_surface(field, now, next);
@@ -346,7 +350,8 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         if (!looked && !grown) grown = look_at_surface(field, now, next);
         const auto all_good = [&] { return mesh_good && report.surface.is_within(share, report.far); };
         if (all_good()) {
-            // At the end, searches once in smaller cells for spurious surface, which needs more centres.
+            // At the end, the surface is searched once in smaller cells. Spurious parts that are found there need more
+            // centres.
             const double side = diagonal / fit_mesh_tuning.cells_of_last;
             const double ratio = search.side / side;
             if (ratio > 1.0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fits a smooth surface to a mesh. The fit chooses the number of its samples.
+// Fits a smooth surface to a mesh. The fit itself chooses places of the mesh as samples, and how many.
 #pragma once
 
 #include "fit/fit.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rays find winding numbers. Parts that touch are found by edges that cross faces, and by short lines along normals.
+// Rays count winding numbers. Two parts touch if an edge of one crosses a face of the other, or if a short line along a
+// normal of one meets the other.
 #include "mesh/fit/outer.h"
 
 #include "base/status.h"
@@ -29,8 +30,9 @@ namespace {
            });
 }
 
-// Returns the other component that a short line along a place's normal meets, or -1. The cosine of the two normals must
-// be at least `alike`, or at most -alike.
+// Searches a short way along the normal of a place, and against it, for a face of another component. Returns the index
+// of that component, or -1. The cosine between the normals of the place and the face must be at least `alike`, or at
+// most -alike.
 [[nodiscard]] std::int32_t other_component(const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
                                            std::int64_t i, double near, double alike) noexcept {
     const std::int32_t own = mesh.component[places.face[i]];
@@ -43,7 +45,8 @@ namespace {
     return -1;
 }
 
-// Returns the other component that a side of this face crosses first, or -1.
+// Searches along the edges of a face for the first crossing with a face of another component. Returns the index of that
+// component, or -1.
 [[nodiscard]] std::int32_t pierced_by(const Mesh& mesh, const FaceTree& tree, std::int64_t face,
                                       glm::dvec3& place) noexcept {
     constexpr double beyond = 1e-9;
@@ -61,8 +64,8 @@ namespace {
     return -1;
 }
 
-// Finds the first i below `count` for which find(i, place) returns a component. component_of(i) returns the component
-// of i itself.
+// Finds the first i below `count` for which find(i, place) returns the index of a component. component_of(i) returns
+// the component that i belongs to.
 template <class Find, class ComponentOf>
 [[nodiscard]] PartContact first_of(const base::Work& work, std::int64_t count, Find&& find,
                                    ComponentOf&& component_of) {
@@ -120,7 +123,7 @@ void keep_outer(const base::Work& work, const Mesh& mesh, const FaceTree& tree, 
         position.set(kept, position[i]);
         normal.set(kept++, normal[i]);
     }
-    if (kept == 0) return; // If all samples are inside another part, all are kept.
+    if (kept == 0) return; // If every sample is inside another part, all samples are kept.
     position.resize(kept);
     normal.resize(kept);
 }

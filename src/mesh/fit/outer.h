@@ -29,7 +29,7 @@ class OuterFaces {
 public:
     OuterFaces(const base::Work& work, const Mesh& mesh, const FaceTree& all);
 
-    // A face may have a different number in this tree than in the mesh. If so, no face of the tree is at a border.
+    // A face may have another index in this tree than in the mesh. If so, no face of the tree is at a border.
     [[nodiscard]] const FaceTree& tree() const noexcept { return outer_ ? *outer_ : all_; }
     [[nodiscard]] const FaceTree& all() const noexcept { return all_; }
 
@@ -42,7 +42,7 @@ private:
 
 // Two parts that a fit may join by mistake, because distances do not show topology.
 struct PartContact {
-    std::int32_t one = -1, other = -1; // the numbers of the components, from 0; -1 without a component
+    std::int32_t one = -1, other = -1; // the indices of the components; -1 if there is none
     glm::dvec3 place{0.0};
     bool may_cross = false; // True if the parts may cross, false if they are only near each other.
 };
@@ -50,9 +50,9 @@ struct PartContact {
 // Finds the first edge that crosses a face of another component.
 [[nodiscard]] PartContact find_crossing(const base::Work& work, const Mesh& mesh, const FaceTree& tree);
 
-// Finds the first of `places` from which another component is at most `near` away, along the normal or against it. With
-// `solids_apart`, each solid is fitted separately: solids may cross, and touch only if their normals there are nearly
-// parallel or opposite. Without it, find_crossing() is tried first.
+// Finds the first of `places` from which another component is at most `near` away, along the normal or against it. Set
+// `solids_apart` if each solid is fitted separately. Solids may then cross, and they touch only if their normals at the
+// place are nearly parallel or opposite. If it is not set, find_crossing() is tried first.
 [[nodiscard]] PartContact find_part_contact(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                             const MeshSamples& places, double near, bool solids_apart);
 

@@ -19,11 +19,11 @@ struct MeshFitTuning {
 
     // ---- Parts that touch
 
-    // The search along an edge for a face of another part skips at most this many faces of the edge's own part. Larger:
-    // slower on folded meshes.
+    // Along an edge, faces of other parts are searched for. The search skips at most this many faces of the part that
+    // the edge belongs to. Larger: slower on folded meshes.
     int most_own = 8;
-    // Near parts that do not cross touch if the cosine of their normals is at least this, or at most minus this.
-    // Larger: fewer parts touch.
+    // Parts that are near each other but do not cross count as touching if the cosine of their normals is at least
+    // this, or at most minus this. Larger: fewer parts count as touching.
     double least_alike = 0.9;
 
     // ---- Flat meshes
@@ -38,12 +38,12 @@ struct MeshFitTuning {
     // The search for the surface begins at the seeds and at a lattice of this many places along each axis of the box.
     // Larger: slower, fewer small parts are missed.
     std::int64_t lattice = 16;
-    // The largest number of evaluations for projecting a place onto the surface. The second constant is for places of
-    // the mesh.
+    // The largest number of evaluations for projecting a place onto the surface: `place_evaluations` for points of the
+    // lattice and of triangles, and `mesh_evaluations` for places of the mesh.
     int place_evaluations = 12;
     int mesh_evaluations = 20;
-    // The tolerance for projecting a place onto the surface, in diagonals. The second constant is for seeds of the
-    // search.
+    // The tolerance for projecting a place onto the surface, in diagonals. `on_surface_of_seeds` is the tolerance for
+    // the points of the lattice, which only begin the search.
     double on_surface = 1e-6;
     double on_surface_of_seeds = 1e-4;
     // Cells are halved if more than this share of the triangles faces against the gradient. Sharp edges alone cause a
@@ -75,8 +75,8 @@ struct FitMeshTuning {
     // A fit aims for share + margin (1 - share) within the tolerance, because places that were not candidates have
     // slightly larger errors. Larger: more centres.
     double margin = 0.3;
-    // The number of cells along a diagonal, in which the surface is searched for: in each round, and once more at the
-    // end, in finer cells. Larger: thinner spurious parts of the surface are found, and rounds take longer.
+    // The surface is searched for in cells. These are the numbers of cells along a diagonal: in each round, and in the
+    // finer search at the end. Larger: thinner spurious parts of the surface are found, and rounds take longer.
     double cells_of_rounds = 72.0;
     double cells_of_last = 128.0;
     // A round gains if the share outside the tolerance, or the farthest distance, falls below this factor times its
@@ -90,12 +90,13 @@ struct FitMeshTuning {
     double first_look = 0.9;
     // The result is measured at this many other places of the mesh.
     std::int64_t verified_places = 10000;
-    // The residual of the linear system, in tolerances, and the bounds for the relative residual. Larger: faster, and
-    // less exact.
+    // The residual of the linear system, in tolerances, and the smallest and largest relative residual that may result.
+    // Larger: faster, and less exact.
     double residual = 5e-3;
     double finest_residual = 1e-8;
     double roughest_residual = 1e-5;
-    // The precision of f and of the surface's vertices, in tolerances, and the least precision, in diagonals.
+    // The precision of f and of the surface's vertices, in tolerances. `finest_precision` is the smallest value that is
+    // used, in diagonals.
     double precision = 5e-2;
     double finest_precision = 1e-9;
     // The search for the surface evaluates f about this many times for each vertex of the surface. `first_places` is
