@@ -24,8 +24,8 @@ public:
     };
 
     // The samples are the tree's points, which should be about 1 apart. All vectors below are in the tree's order.
-    // `rank` is the index of each point in a farthest-first order. The object keeps references to `tree` and `rank`.
-    // Throws Error{out_of_memory, cancelled, singular_system}.
+    // `rank` is the index of each point in a farthest-first order. The object keeps a reference to the points of the
+    // tree. Throws Error{out_of_memory, cancelled, singular_system}.
     HermiteEnergy(const base::Work& work, const geometry::PointTree& tree, const base::Array<std::int64_t>& rank,
                   const Options& options);
     ~HermiteEnergy();
