@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // split_at_creases makes the mesh:
 // 1. find_sheets finds the sheet of each vertex.
-// 2. settle_alone and settle_equal: where sheets nearly coincide, they assign vertices to the first of these sheets.
+// 2. settle_alone and settle_equal assign vertices where sheets nearly coincide to the first of these sheets.
 // 3. find_edges finds where the sheets of an edge's ends meet; find_corners does the same in triangles of three sheets.
-// 4. halve_unclear halves edges where another sheet lies between the two; then steps 2 to 4 are repeated.
+// 4. halve_unclear halves edges where another sheet covers the crease; then steps 2 to 4 are repeated.
 // 5. place_rest places the remaining nodes near the surface.
 // 6. find_chains makes chains of the nodes of creases.
 // 7. build cuts triangles at the nodes.
@@ -37,7 +37,8 @@ namespace {
 // ---- The mesh
 
 constexpr std::int64_t nodes_a_task = 32;
-constexpr double meeting_tolerance = 1e-9; // the tolerance for places where sheets meet, in sides
+// The tolerance for the position of a place where sheets meet, in sides of the mesh's cells.
+constexpr double meeting_tolerance = 1e-9;
 
 // A node of an edge whose ends belong to different sheets.
 struct EdgeNode {
@@ -46,8 +47,8 @@ struct EdgeNode {
     std::array<std::int32_t, 2> sheet; // the sheets of the start and end vertex
     CreaseNode place;
     std::array<glm::dvec3, 2> gradient; // the gradients of both sheets at the node
-    // The first is true if the start may belong to the end's sheet; the second if the end may belong to the start's
-    // sheet.
+    // Whether the start may belong to the end's sheet, and whether the end may belong to the start's sheet, because the
+    // two sheets coincide there.
     std::array<bool, 2> equal;
     bool alike; // whether the sheets nearly coincide at both ends
     bool meet;  // whether the sheets meet near the edge, on or off the surface
@@ -71,8 +72,8 @@ struct SheetMesh {
     const implicit::Sheets& sheets;
     SurfaceMesh mesh;
     base::Array<std::int32_t> sheet; // the sheet of each vertex
-    // For each edge, the index of its node in `edges`, the same for both sides of the edge; -1: the edge crosses no
-    // crease.
+    // For each edge of each triangle, the index of its node in `edges`. Opposite edges have the same node. -1: the edge
+    // crosses no crease.
     base::Array<std::int32_t> node;
     base::Array<EdgeNode> edges;
     base::Array<CornerNode> corners; // sorted by triangle
@@ -100,7 +101,7 @@ struct SheetMesh {
                           {&f.value, {&f.gradient.x, &f.gradient.y, &f.gradient.z}, {}});
         return f;
     }
-    // Returns the distance from the whole surface, in sides.
+    // Returns the distance between a place and the whole surface, in sides.
     [[nodiscard]] double off_surface(const glm::dvec3& place) const {
         const surface::SheetValue f = value(place);
         return std::abs(f.value) / (mesh.side * glm::length(f.gradient));
@@ -162,13 +163,14 @@ void settle_alone(const base::Work& work, SheetMesh& at) {
     }
 }
 
-// Returns whether f is the maximum or the minimum of both sheets around the node. Beyond a corner, f may be 0 at the
-// node but follow only one of the sheets, because the edge passes a third sheet. Then f has opposite signs on the two
-// sides of the node, in the direction in which the sheets differ most. `far` is the distance from the node at which f
-// is evaluated.
+// Returns whether f equals the maximum or the minimum of the two sheets around the node, as at a crease. This is false
+// where a third sheet covers the crease: f may then be 0 at the node but follow only one of the two sheets. In that
+// case f has opposite signs on the two sides of the node, in the direction in which the sheets differ most. `far` is
+// the distance from the node at which f is evaluated.
 bool is_folded(const SheetMesh& in, const EdgeNode& node, double far) {
     const glm::dvec3 across = glm::normalize(node.gradient[0]) - glm::normalize(node.gradient[1]);
-    // The sine of half the angle between the sheets. On a fold, f at some distance aside is this share of the distance.
+    // The sine of half the angle between the sheets. At a distance d from a fold, in the direction of `across`, |f| is
+    // d times this sine.
     const double sine = 0.5 * glm::length(across);
     if (!(sine > crease_tuning.least_sine)) return true;
     const glm::dvec3 way = far / (2.0 * sine) * across;
@@ -307,11 +309,11 @@ bool halve_unclear(const base::Work& work, SheetMesh& in) {
     return true;
 }
 
-// Places nodes that were not found. They stay where their search started, with the gradients of their sheets there. At
-// a seam f blends two patches and differs slightly from both. There the crease between one patch and another sheet is
-// accurate enough. Two sheets of a corner may be adjacent patches that nearly coincide at their seam and do not meet
-// there. A crease reaches the seam on one patch and continues on the other. So the corner is where the third sheet
-// meets one of the patches.
+// Completes the nodes whose search failed. Such nodes stay where the search started, with the gradients of their sheets
+// there. At a seam f blends two patches and differs slightly from both. There the crease between one patch and another
+// sheet is accurate enough. Two sheets of a corner may be adjacent patches that nearly coincide at their seam and do
+// not meet there. A crease reaches the seam on one patch and continues on the other. So the corner is where the third
+// sheet meets one of the patches.
 void place_rest(SheetMesh& in) {
     for (EdgeNode& node : in.edges) {
         if (node.place.exact) continue;
@@ -499,7 +501,8 @@ void add_chain(const CreaseChains& chains, std::int64_t chain, double side, Crea
     end_crease(creases, false, chains.left[chain], chains.right[chain], side);
 }
 
-// Returns whether the way from a over p to b turns back at p, compared with the crease.
+// Returns whether the path from a through p to b reverses at p: one of its two steps goes forwards along the crease,
+// and the other backwards.
 bool turns_back(const CreasePoint& a, const CreasePoint& p, const CreasePoint& b) noexcept {
     const glm::dvec3 along = glm::cross(p.left, p.right);
     const double size = glm::length(along);
@@ -546,7 +549,8 @@ void find_tangents(Creases& creases) {
     }
 }
 
-// Returns where along a piece n . v of a sheet is 0, from its values at both ends.
+// Returns the parameter along a piece at which n . v is 0, where n is the normal of a sheet and v is the line of sight.
+// `from` and `to` are the values of n . v at the two ends of the piece.
 double turn_of(const implicit::Sheets& sheets, std::int32_t sheet, const CubicPiece& piece, double from, double to,
                const View& view) {
     Illinois root(from, to);
@@ -595,8 +599,8 @@ void add_parts(const base::Array<CreasePoint>& path, bool closed, const AngleRan
                CreaseParts& parts) {
     const std::int64_t size = path.size();
     HRBFNPR_ASSERT(size >= 2);
-    // Tells which sheets face the eye between point k and the next point. It uses the middle between them, because a
-    // sheet may be just turning away at a point.
+    // Tells which of the two sheets face the eye between point k and the next point. The test is made midway between
+    // the two points, because a sheet may be just turning away at a point.
     struct Facing {
         bool left, right;
         bool operator==(const Facing&) const = default;
@@ -645,9 +649,9 @@ public:
     [[nodiscard]] bool near_end(const glm::dvec3& place) const noexcept override {
         return (base_ != nullptr && base_->near_end(place)) || creases_->any_around(place);
     }
-    // Returns the distance from the whole surface if another sheet is active. If that distance is 0, returns a mesh
-    // side, unless a vertex of this sheet is near. The exception is needed because either of two equal sheets may be
-    // active there.
+    // If another sheet is active at the place, returns the distance between the place and the whole surface. If this
+    // distance is 0, returns the side of a mesh cell instead. The exception is a place near a vertex of this sheet: two
+    // equal sheets may coincide there, and either of them may be active.
     [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const override {
         const double on_surface = curve_tuning.on_sheet * own_.side;
         if (surface::active_at(*whole_.sheets(), place) != sheet_) {
@@ -707,7 +711,7 @@ base::List<std::unique_ptr<SheetSurface>> sheet_surfaces(const base::Runtime& ru
     for (const std::int32_t sheet : mesh.sheet) ++begin[sheet + 2];
     for (std::int64_t s = 2; s < begin.size(); ++s) begin[s] += begin[s - 1];
     for (std::int64_t t = 0; t < mesh.sheet.size(); ++t) order[begin[mesh.sheet[t] + 1]++] = t;
-    // 1 + the vertex's index in the part; 0: it is not in the part.
+    // For each vertex: 1 + its index in the part, or 0 if it is not in the part.
     base::Array<std::int32_t> number(runtime.memory, mesh.mesh.vertices());
     geometry::VecArray creases(runtime.memory);
     for (std::int32_t sheet = 0; sheet < sheets; ++sheet) {
@@ -837,7 +841,9 @@ SurfaceLines bent_parts(base::Memory& memory, const SurfaceLines& lines, const b
                         CreaseSide side, double lower, double upper) {
     const Curves& curves = lines.curves;
     HRBFNPR_ASSERT(of.size() == curves.count());
-    SurfaceLines bent(memory); // lines that bend sharply enough somewhere; angles are positive on this side
+    // The lines whose creases bend by at least `upper` degrees somewhere. Angles are positive if a crease bends to
+    // `side`.
+    SurfaceLines bent(memory);
     LineBuilder builder(bent, true);
     base::Array<double> above(memory);
     for (std::int64_t c = 0; c < curves.count(); ++c) {

@@ -35,8 +35,8 @@ struct CreaseChains : Chains<CreaseNode> {
 struct SharpMesh {
     explicit SharpMesh(base::Memory& memory) : mesh(memory), sheet(memory), creases(memory) {}
 
-    // A crease has a separate vertex for each of its sheets, with the sheet's gradient. Edges on creases have no
-    // neighbour.
+    // Each node of a crease has a separate vertex for each of its sheets, with that sheet's gradient. Edges on creases
+    // have no neighbour.
     SurfaceMesh mesh;
     base::Array<std::int32_t> sheet; // the sheet of each triangle
     CreaseChains creases;
@@ -91,7 +91,8 @@ public:
     // `least` is the least angle in degrees. `side` is the side of the mesh's cells.
     NearCreases(base::Memory& memory, const Creases& creases, double least, double side);
 
-    // Returns whether a crease is within `reach` of the place. The distance is limited to half a mesh side.
+    // Returns whether a crease is within the distance `reach` of the place. `reach` is limited to half the side of a
+    // mesh cell.
     [[nodiscard]] bool has(const glm::dvec3& place, double reach) const noexcept;
     [[nodiscard]] std::int64_t bytes() const noexcept { return from_.bytes() + to_.bytes() + grid_->bytes(); }
 
@@ -122,8 +123,8 @@ struct CreaseParts {
                                         const Creases& creases, const View& view);
 
 enum class CreaseSide : std::uint32_t { both = 0, convex = 1, concave = 2 };
-// Returns the angle with the sign for a side: positive if the crease bends to this side, negative if it bends to the
-// other.
+// Returns the angle of a crease with a sign for a side of the surface: positive if the crease bends to this side,
+// negative if it bends to the other side.
 [[nodiscard]] inline float angle_on(CreaseSide side, float angle) noexcept {
     return side == CreaseSide::both ? std::abs(angle) : side == CreaseSide::convex ? angle : -angle;
 }

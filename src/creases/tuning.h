@@ -8,24 +8,23 @@ namespace hrbfnpr::curves {
 struct CreaseTuning {
     // ---- The mesh that is cut at creases
 
-    // A place counts as on the whole surface if it is within this distance of it, in sides. Larger: creases continue
-    // beyond corners.
+    // A place counts as a place of the whole surface if its distance from the surface is at most this, in sides.
+    // Larger: creases continue beyond corners.
     double on_surface = 1e-3;
     // A crease continues through a seam between two patches, where the surface blends the patches, if the sheets meet
     // within this distance of the surface, in sides. Larger: creases appear that another sheet covers.
     double beside_surface = 0.02;
-    // Sheets nearly coincide if their distance is below the first number, in sides, and the angle between their normals
-    // is below the second, in radians. Edges between such sheets are not halved to find hidden creases. Larger: shallow
-    // creases are coarse.
+    // Sheets nearly coincide if both their distance, in sides, and the angle between their normals, in radians, are at
+    // most this. Edges between such sheets are not halved to find hidden creases. Larger: shallow creases are coarse.
     double alike = 0.02;
-    // Sheets coincide if their distance and the angle between them are below these two limits, in the same units as
-    // above. Larger: sheets that cross are merged.
+    // Sheets coincide if both their distance, in sides, and the angle between their normals, in radians, are at most
+    // this. Larger: sheets that cross are merged.
     double equal = 1e-7;
-    // The place where two sheets meet is searched within this distance of an edge, in sides, or within twice the edge's
-    // length if that is less. Larger: creases of other places are found.
+    // The place where two sheets meet is searched for within this many sides of an edge, or this many times twice the
+    // edge's length if that is less. Larger: nodes are placed on creases that do not belong to the edge.
     double farthest_meeting = 1.5;
-    // Sheets are not tested for a fold if the sine of half the angle between them is below this, because their
-    // curvature may exceed the angle. Larger: creases pass other sheets.
+    // Sheets are not tested for a fold if the sine of half the angle between them is below this, because the curvature
+    // of the sheets may exceed the angle. Larger: creases continue behind other sheets.
     double least_sine = 0.02;
     // A crease continues through a seam only if the sine of half the angle between its sheets is above this, so the
     // angle is above 11 degrees. Smaller: creases of screw threads leave the threads.
@@ -39,8 +38,8 @@ struct CreaseTuning {
 
     // ---- Creases as curves
 
-    // Nodes closer than this to the previous node, in sides, are dropped. If a gap of inexact nodes is wider, the
-    // crease ends. Larger: fewer points, and more gaps are bridged.
+    // Nodes closer than this to the previous node, in sides, are dropped. If a gap of inexact nodes is wider than this,
+    // the crease ends. Larger: fewer points, and more gaps are bridged.
     double nearest_node = 0.1;
     // A piece is halved if it is longer than `longest_piece`, in sides. It is also halved if it is longer than
     // `shortest_piece` and turns by more than 0.1 radians, given as a cosine. Creases shorter than `shortest_piece` are

@@ -35,7 +35,8 @@ namespace {
 
 // ---- Shape
 
-// The number is small because third derivatives take half a millisecond per point, as sums over 100 000 centres.
+// The number of points that a task measures. It is small because third derivatives, which are sums over 100 000
+// centres, take half a millisecond per point.
 constexpr std::int64_t points_a_look = 32;
 using ShapeColumn = std::array<double, static_cast<std::size_t>(points_a_look)>;
 
@@ -44,7 +45,7 @@ glm::dvec3 times(const std::array<double, 6>& h, const glm::dvec3& v) noexcept {
             h[2] * v.x + h[4] * v.y + h[5] * v.z};
 }
 
-// Returns T(v, ., .) as a symmetric matrix.
+// Returns T(v, ., .) as a symmetric matrix, where T is the tensor of third derivatives.
 std::array<double, 6> contracted(const std::array<double, 10>& t, const glm::dvec3& v) noexcept {
     return {t[0] * v.x + t[1] * v.y + t[2] * v.z, t[1] * v.x + t[3] * v.y + t[4] * v.z,
             t[2] * v.x + t[4] * v.y + t[5] * v.z, t[3] * v.x + t[6] * v.y + t[7] * v.z,
@@ -70,7 +71,8 @@ struct ShapeBatch {
     }
 };
 
-// Returns the derivatives of II(u, v) = -H(u, v) / |g| along w, for tangent vectors that stay tangent.
+// Returns the derivatives of II(u, v) = -H(u, v) / |g| along w, for tangent vectors u and v that stay tangent.
+// g, H and T are the first, second and third derivatives of f, and n = g / |g|.
 //
 // With D_w n = P H w / |g| and D_w |g| = H(n, w), the projections onto the tangent plane in -P H P / |g| add
 //  C(u, v, w) = -T(u, v, w) / |g| + (H(u, w) H(n, v) + H(v, w) H(n, u) + H(u, v) H(n, w)) / |g|^2,
@@ -112,9 +114,9 @@ struct AlongEdge {
     }
 };
 
-// Returns whether the change of the form between two vertices differs from the integral of its derivatives by the
-// trapezoid rule. If the form has the error e and changes at the rate C along the surface, its zeros are off by at most
-// e / C. They are off by less in fact, because g is a cubic along edges.
+// Returns whether the change of the second fundamental form between two vertices differs too much from the integral of
+// its derivatives by the trapezoid rule. If the form has the error e and changes at the rate C along the surface, its
+// zeros are off by at most e / C. In fact they are off by less, because g is a cubic along edges.
 bool is_rough(const ShapePoint& a, const ShapePoint& b, const glm::dvec3& edge, double least, double place) noexcept {
     const AlongEdge from(a, edge);
     const AlongEdge to(b, edge);

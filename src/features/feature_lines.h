@@ -93,7 +93,8 @@ struct FeatureValue {
     double g = 1.0;
     double strength = -1.0; // dimensionless; if not positive, no line passes here, whatever g is
     double facing = 1.0;    // view-dependent kinds: n . v, where v is the direction to the eye or light; other kinds: 1
-    // Directed kinds: the unit direction along which g is the derivative; g changes its sign with it.
+    // Directed kinds: the unit direction along which g is a derivative. If the direction is reversed, g changes its
+    // sign.
     glm::dvec3 along{0.0};
     glm::dvec3 gradient{0.0}; // the gradient of g along the surface, if third derivatives of f suffice for it; else 0
 };

@@ -107,7 +107,7 @@ Chains<std::int32_t> border_vertices(base::Memory& memory, const SurfaceMesh& me
     return chains;
 }
 
-// Drops crowded points of the cut, except next to the end of the region.
+// Drops points of the cut that are too close together, except next to the end of the region.
 Chains<BorderPoint> thinned_border(const Chains<std::int32_t>& border, const ClippedMesh& clipped) {
     HRBFNPR_ASSERT(clipped.mesh.vertices() - clipped.first_cut == clipped.cut.size());
     Chains<BorderPoint> chains(border.first.memory());
@@ -252,8 +252,8 @@ base::Array<SectionCorner> find_section_corners(base::Memory& memory, const impl
     return corners;
 }
 
-// Moves the ends of lines to corners. If points before an end lie beyond the corner, they are moved between the corner
-// and the previous point. The normal at the corner is that of the line's own sheet.
+// Moves the ends of lines to corners. If the last points of a line lie beyond the corner, they are spread between the
+// corner and the last point that does not. The normal at the corner is that of the line's own sheet.
 void end_at_corners(const base::Runtime& runtime, const base::Array<SectionCorner>& corners, double side,
                     FeatureLines& lines) {
     geometry::VecArray places(runtime.memory);

@@ -80,7 +80,8 @@ struct SupportSettings {
 };
 
 struct LineSetSettings {
-    double side = 0.0;             // the cell side of the mesh; 0: half the spacing, and smaller if walls are thinner
+    // The side of the mesh's cells; 0: half the spacing of the seeds, or less where walls are thinner than that.
+    double side = 0.0;
     std::span<const double> seeds; // 3n packed positions near the surface; empty: found from a lattice over the bounds
     double spacing = 0.0;          // the mean spacing of the seeds; 0: unknown
     SupportSettings support;
@@ -111,8 +112,8 @@ public:
     [[nodiscard]] const base::List<FoundLines>& found() const noexcept { return found_; }
     [[nodiscard]] const SurfaceLines& border() const noexcept { return border_; }
     [[nodiscard]] const Creases& creases() const noexcept { return creases_; }
-    // Returns whether a crease that is sharp enough to be drawn lies within `reach` of the place. The distance is
-    // limited to half a mesh side.
+    // Returns whether a crease that is sharp enough to be drawn lies within the distance `reach` of the place. `reach`
+    // is limited to half the side of a mesh cell.
     [[nodiscard]] bool has_crease_near(const glm::dvec3& place, double reach) const noexcept {
         return near_creases_ && near_creases_->has(place, reach);
     }

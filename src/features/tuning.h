@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The tuning constants of feature lines, of sections and borders, and of the mesh on which they are found. A side is
-// the longest side of the mesh's cells, a diagonal that of the model's bounds.
+// the longest side of the mesh's cells. A diagonal is the diagonal of the model's bounds.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ struct FeatureTuning {
     // After the last round, the best place counts as a root if |g| is below this share of its values at the ends of the
     // edge. Larger: lines that cross noise.
     double acceptable = 0.1;
-    // Apparent ridges end where n . v is below this, since their curvature is unbounded at the contour. Larger: they
-    // end farther from it.
+    // Apparent ridges end where n . v is below this, since their curvature is unbounded at the contour. Larger: the
+    // ridges end farther from the contour.
     double grazing = 0.02;
     // Chains are refined only if their strength at the vertices reaches this share of `upper`. Larger: less time, but
     // lines are lost whose strength the mesh does not show.
@@ -26,9 +26,9 @@ struct FeatureTuning {
     // least this. Larger: ridges on round tubes are weaker. At the end of the longer axis of an ellipse the drop is 3
     // (1 - (b / a)^2).
     double full_drop = 0.5;
-    // The drop is measured at a distance of at least `least_aside` sides, because derivatives at a single place would
-    // take the ripple of a fit for ridges. The distance is at most `most_aside` diagonals. Larger: small ridges are
-    // weaker.
+    // The drop is measured at a distance of at least `least_aside` sides, because ripples of a fit would look like
+    // ridges if derivatives at a single place were used. The distance is at most `most_aside` diagonals. Larger: small
+    // ridges are weaker.
     double least_aside = 2.0;
     double most_aside = 0.1;
     // The sign of the derivative along a line is the sign of its sum over this many crossings on either side. Larger:
@@ -39,8 +39,8 @@ struct FeatureTuning {
 
     // ---- The mesh
 
-    // An edge is halved if a curvature changes along it in another way than its derivatives predict, and if lines could
-    // be off by more than this, in diagonals. Smaller: more triangles.
+    // An edge is halved if curvatures do not change along the edge as their derivatives predict, and if this may
+    // displace lines by more than this distance, in diagonals. Smaller: more triangles.
     double off_line = 3e-4;
     // Where derivatives of curvature are small, this share of their root mean square is used instead. Larger: flat
     // parts stay coarse.
@@ -67,7 +67,8 @@ struct FeatureTuning {
     // Points of a border closer than this to the previous one are dropped, in sides. Smaller: more points.
     double border_gap = 0.1;
     // The border gets another point where it turns by more than 0.1 radians, given as a cosine, or where points are
-    // more than `longest_border_piece` apart, in sides. It is finer than contours, which end on it.
+    // more than `longest_border_piece` apart, in sides. The border is divided more finely than contours, because
+    // contours end on it.
     double border_turn = 0.995;
     double longest_border_piece = 0.5;
     double shortest_border_piece = 1e-3;
@@ -78,7 +79,7 @@ struct FeatureTuning {
     // detail and time.
     double sides_a_spacing = 2.0;
     double sides_a_diagonal = 96.0;
-    // Seeds are searched from this many points of the bounds along each axis. More: smaller parts are found.
+    // Searches for seeds begin at this many points along each axis of the bounds. More: smaller parts are found.
     std::int64_t lattice = 24;
     // The mesh is made again with smaller cells if more than this share of its triangles faces away from the surface,
     // because then walls are thinner than the cells. The limit is `torn_share` if smaller cells would give more than

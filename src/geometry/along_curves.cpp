@@ -11,7 +11,7 @@ namespace hrbfnpr::geometry {
 namespace {
 
 constexpr std::int64_t most_asked = 256;
-constexpr std::int64_t fewest = 16; // with fewer points there is no decision
+constexpr std::int64_t fewest = 16; // fewer points than this are never said to lie along curves
 constexpr std::int64_t thinner = 4;
 constexpr std::int64_t fewest_thinned = 256;
 constexpr std::int64_t most_thinned = 200000;
@@ -81,8 +81,8 @@ bool lie_on_lines(const PointTree& tree) noexcept {
 
 } // namespace
 
-// Also tests some of the points alone, because noise matters less where points are farther apart. They are picked at
-// random: every fourth point of a grid would lie along lines.
+// Tests all points, and then thinned subsets of them, because noise matters less where points are farther apart. The
+// points of a subset are picked at random: every fourth point of a grid would lie along lines.
 bool lie_along_curves(const PointTree& tree) {
     if (lie_on_lines(tree)) return true;
     if (tree.size() > most_thinned) return false;

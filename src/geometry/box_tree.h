@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tree of boxes over items in a given order. It is fastest if items with consecutive numbers are near each other.
+// A tree of boxes over items in a given order. The tree is fastest if items with consecutive indices are near each
+// other in space.
 #pragma once
 
 #include "base/assert.h"

@@ -19,12 +19,14 @@ public:
     [[nodiscard]] bool contains(std::uint64_t packed) const noexcept;
     // Returns whether the cell was new.
     bool insert(std::uint64_t packed);
-    // Inserts the neighbours whose bits are set in `wanted`, of the 27. Returns the bits of those that were new.
+    // Inserts those of the 27 neighbours of a cell (cell_block.h) whose bits are set in `wanted`. Returns the bits of
+    // the neighbours that were new.
     std::uint32_t insert_around(const CellGrid::Cell& cell, std::uint32_t wanted);
 
 private:
     struct Block {
-        std::uint64_t name; // the packed first cell with the lowest bit set; 0: a free slot
+        // The packed number of the block's first cell, with the lowest bit set to 1; 0: the slot is free.
+        std::uint64_t name;
         std::uint64_t cells;
     };
 

@@ -72,10 +72,10 @@ struct OctreeInteractions {
     explicit OctreeInteractions(base::Memory& memory) noexcept
         : far_begin(memory), far(memory), near_begin(memory), near(memory) {}
 
-    // Far cubes: of the same size as the node and not touching it, while their parents touch its parent.
+    // The far cubes of a node have the same size as the node and do not touch it, but their parents touch its parent.
     base::Array<std::int64_t> far_begin; // where the list of each node begins in `far`
     base::Array<std::int64_t> far;
-    // Near cubes: their points interact one by one with all points of the node.
+    // The near cubes of a node: each of their points interacts with each point of the node directly.
     base::Array<std::int64_t> near_begin;
     base::Array<std::int64_t> near;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Points sorted into the cells of a grid. It is made for many small balls of one radius, for which a tree is slow.
+// Points sorted into the cells of a grid, for queries with many small balls of the same radius. A tree is slow for such
+// queries.
 #pragma once
 
 #include "base/operation.h"

@@ -101,7 +101,7 @@ struct CurveFitTuning {
     // A line keeps a corner where it turns by more than the angle with this cosine, 40 degrees. Larger: more corners.
     double corner_cosine = 0.766;
     // The curve parameters of the points are improved if the squared error is below this factor times the squared
-    // tolerance. Otherwise the run is halved at once. Larger: fewer curves, more time.
+    // tolerance. Otherwise the run of points is halved at once. Larger: fewer curves, more time.
     double near_enough_to_improve = 16.0;
     // A curve is improved at most this often before its run is halved. Larger: fewer curves, more time.
     int improvements = 4;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The neighbours of faces across their edges, and connected components.
 //
-// Corner k of a face has the number 3 face + k. The side from this corner to the next one has the same number.
+// Corner k of a face has the index 3 face + k. A side is a half-edge: it goes from a corner of a face to the next
+// corner, and has the index of the corner where it starts.
 #pragma once
 
 #include "base/groups.h"
@@ -12,7 +13,7 @@
 
 namespace hrbfnpr::mesh {
 
-// Disjoint sets of numbers (union-find). The name of a set is its smallest number.
+// Disjoint sets of indices (union-find). The name of a set is its smallest index.
 class UnionFind {
 public:
     UnionFind(base::Memory& memory, std::int64_t count) : parent_(memory) {
@@ -33,10 +34,10 @@ private:
     base::Array<std::int32_t> parent_;
 };
 
-// Assigns the numbers 0, 1, 2 and so on to names, in the order in which the names first come.
+// Assigns the indices 0, 1, 2 and so on to names, in the order in which the names are first used.
 class NumbersByFirstUse {
 public:
-    // `names` is larger than all names.
+    // Names are integers from 0 to `names` - 1.
     NumbersByFirstUse(base::Memory& memory, std::int64_t names) : number_(memory, names) {}
     [[nodiscard]] std::int32_t of(std::int64_t name) noexcept {
         std::int32_t& number = number_[name];
@@ -46,13 +47,14 @@ public:
     [[nodiscard]] std::int32_t count() const noexcept { return count_; }
 
 private:
-    base::Array<std::int32_t> number_; // for each name, its number plus 1; 0 if the name was not used yet
+    base::Array<std::int32_t> number_; // for each name, its index plus 1; 0 if the name was not used yet
     std::int32_t count_ = 0;
 };
 
-// A side of a face: from corner k to the next corner.
+// A side of a face: the half-edge from a corner to the next corner.
 struct Side {
-    std::uint64_t edge; // the lower and the higher vertex
+    // The indices of both vertices: the lower one in the high 32 bits, the higher one in the low 32 bits.
+    std::uint64_t edge;
     std::int32_t face;
     std::int32_t forward; // 1 if the side runs from the lower vertex to the higher one, else 0
 };
@@ -64,7 +66,7 @@ struct Side {
     return static_cast<std::int32_t>(side.edge & 0xFFFFFFFFU);
 }
 
-// Returns the number of the corner that a face has at a vertex.
+// Returns the index of the corner that a face has at a vertex.
 [[nodiscard]] inline std::int64_t corner_at(const base::Array<Triangle>& triangle, std::int64_t face,
                                             std::int32_t vertex) noexcept {
     const Triangle& t = triangle[face];
@@ -132,7 +134,7 @@ void for_edges(const base::Array<Side>& sides, Visit&& visit) {
     return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 
-// Returns the numbers of the corners at each vertex, in rising order.
+// Returns the indices of the corners at each vertex, in ascending order.
 [[nodiscard]] inline base::Groups corners_at_vertices(const Mesh& mesh, const base::Progress& progress) {
     return {mesh.vertex.memory(), mesh.vertex.size(), [&](auto&& put) {
                 for (const std::int64_t corner : progress.over(3 * mesh.faces())) {

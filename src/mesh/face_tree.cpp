@@ -76,7 +76,7 @@ FaceTree::FaceTree(const base::Work& work, const base::Array<glm::dvec3>& vertex
     }
 }
 
-// Halves a range of faces along the longest side of its box. Faces with equal middles are ordered by number.
+// Halves a range of faces along the longest side of its box. Faces with equal middles are ordered by index.
 void FaceTree::split(const base::Array<glm::dvec3>& middle, const Range& range) {
     if (range.leaf()) return;
     geometry::Bounds box;

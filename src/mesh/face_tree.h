@@ -70,7 +70,7 @@ private:
     void split(const base::Array<glm::dvec3>& middle, const Range& range);
 
     base::Array<geometry::Bounds> box_; // the boxes of the nodes, in heap order
-    base::Array<std::int32_t> face_;    // the numbers of the faces, in the order of the tree
+    base::Array<std::int32_t> face_;    // the indices of the faces, in the order of the tree
     base::Array<Corners> corners_;
 };
 

@@ -41,7 +41,7 @@ void keep_components(const Welded& welded, const base::Array<std::int32_t>& comp
     base::Memory& memory = welded.vertex.memory();
     const Component* const largest = std::max_element(
         measured.begin(), measured.end(), [](const Component& a, const Component& b) { return a.area < b.area; });
-    // For each component: its new number plus 1, or 0 if it is dropped.
+    // For each component: its new index plus 1, or 0 if it is dropped.
     base::Array<std::int32_t> name(memory, measured.size());
     std::int32_t names = 0;
     for (const Component& each : measured) {
@@ -50,7 +50,7 @@ void keep_components(const Welded& welded, const base::Array<std::int32_t>& comp
         mesh.report.nested_components += each.nested ? 1 : 0;
         mesh.report.left_out_components += kept ? 0 : 1;
     }
-    // For each vertex: its new number plus 1, or 0 if it is dropped.
+    // For each vertex: its new index plus 1, or 0 if it is dropped.
     base::Array<std::int32_t> number(memory, welded.vertex.size());
     for (std::int64_t face = 0; face < welded.triangle.size(); ++face)
         if (name[component[face]] != 0)
@@ -130,8 +130,8 @@ void check_extent(const Welded& welded) {
              bounds.diagonal());
 }
 
-// UnionFind the unit normals of all corners. The normal of a corner is a mean over the faces at its vertex whose
-// normals are within the crease angle, weighted by their angles at the vertex.
+// Sets the unit normals of all corners. The normal of a corner is a mean over the faces at its vertex whose normals are
+// within the crease angle, weighted by their angles at the vertex.
 void set_corner_normals(const base::Work& work, double crease_angle, Mesh& mesh) {
     const base::Groups corners = corners_at_vertices(mesh, work);
     base::Array<glm::dvec3> normal(work.memory);   // normals of the faces

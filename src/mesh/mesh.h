@@ -66,10 +66,10 @@ struct Mesh {
 
     base::Array<glm::dvec3> vertex;
     base::Array<Triangle> triangle;       // counter-clockwise as seen from outside
-    base::Array<std::int32_t> component;  // for each face: the number of its component, from 0
-    base::Array<std::int32_t> given_face; // for each face: its number in the input
-    // For each face: bit k is set if the side from corner k has no other face, and bit k + 3 if corner k is an end of
-    // such a side, of this or another face.
+    base::Array<std::int32_t> component;  // for each face: the index of its component, from 0
+    base::Array<std::int32_t> given_face; // for each face: its index in the input
+    // For each face: bit k is set if no other face shares the side from corner k. Bit k + 3 is set if corner k is an
+    // end of such a side, either of this face or of another face.
     base::Array<std::uint8_t> border;
     base::Array<glm::dvec3> corner_normal; // three unit normals for each face
     geometry::Bounds bounds;
@@ -98,8 +98,8 @@ struct Mesh {
 // Returns the barycentric coordinates of a place in the plane of a face. They sum up to 1.
 [[nodiscard]] glm::dvec3 shares_of(const std::array<glm::dvec3, 3>& p, const glm::dvec3& place) noexcept;
 
-// Throws Error{invalid_argument} whose message names the face and the index, or the vertex; also out_of_memory and
-// cancelled.
+// Throws Error{invalid_argument, out_of_memory, cancelled}. The message of invalid_argument names the face and the
+// index, or the vertex.
 [[nodiscard]] Mesh make_mesh(const base::Work& work, const MeshInput& input);
 
 } // namespace hrbfnpr::mesh

@@ -42,7 +42,7 @@ void close_holes(const base::Work& work, const base::Array<glm::dvec3>& vertex, 
         rims.join(low_end(*first), high_end(*first));
     });
     if (!open) return;
-    // For each rim: the sum of the ends of its sides, and their number.
+    // For each rim of a hole: the sum of the positions of its sides' ends, and the count of these ends.
     base::Array<glm::dvec4> rim(work.memory, vertex.size());
     for_edges(sides, work, [&](const Side* first, const Side* last) {
         if (excess_faces(first, last) == 0) return;
@@ -105,8 +105,8 @@ components_around(const FaceTree& tree, const base::Array<std::int32_t>& compone
     return around;
 }
 
-// Returns the faces with the extreme corners along each axis, and one random face from each of several ranges of
-// numbers. Every n-th face would be a bad choice: in a mesh of rows and columns, these may all lie in one column.
+// Returns the faces with the extreme corners along each axis, and one random face from each of several ranges of face
+// indices. Every n-th face would be a bad choice: in a mesh of rows and columns, these may all lie in one column.
 [[nodiscard]] base::Array<std::int32_t> faces_to_test(const base::Array<glm::dvec3>& vertex,
                                                       const base::Array<Triangle>& triangle,
                                                       std::span<const std::int32_t> faces) {

@@ -13,8 +13,8 @@ struct Component {
     double area = 0.0;
     double volume = 0.0; // the volume, with holes closed by fans of triangles
     double holes = 0.0;  // the total area of the holes
-    bool closed = true;  // For each edge, equally many faces run through it in each direction.
-    bool nested = false; // The component lies inside another component.
+    bool closed = true;  // True if equally many faces run through each edge in both directions.
+    bool nested = false; // True if the component lies inside another component.
     bool turned = false;
 };
 

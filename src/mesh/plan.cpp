@@ -167,7 +167,7 @@ bool may_be_grouped(const MeshReport& mesh, std::int64_t faces) noexcept {
     return faces <= (mesh.components == 1 ? plan_tuning.most_faces_of_one : plan_tuning.most_faces);
 }
 
-// ---- How near the surface is to come
+// ---- The samples and the tolerance of a fit
 
 bool chooses_samples(const SampleOptions& wishes) noexcept {
     // A fit to a mesh chooses the number of its samples, unless the caller wants an option that only a fit to samples
@@ -189,9 +189,8 @@ double plan_tolerance_of_group(double diagonal, double across) noexcept {
 
 namespace {
 
-// Returns the least value of EndPlan::off, in diagonals. A narrow strip cannot be ended by a support with wide
-// spacings. So if the fit is exact, the value is a share of the mean width, 2 area / border, but at least the distance
-// between places.
+// Returns the least value of EndPlan::off, in diagonals. A support with a wide spacing cannot end a narrow strip. So if
+// the fit is exact, the value is a share of the mean width, 2 area / border, but at least the distance between places.
 double least_off(const EndFacts& facts) noexcept {
     const double farthest = std::max(facts.mesh_p99, facts.surface_p99);
     if (facts.border == 0.0 || !(farthest < plan_tuning.exact * facts.diagonal)) return plan_tuning.least_off;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Decides how a mesh is treated: which faces are turned, which edges stay sharp, which coarse faces are divided, which
-// parts are left out, how near a surface is to come, and where it ends.
+// parts are left out, which tolerance a fit has, and where a surface ends.
 //
 // docs/input.md describes the decisions to users. Each decision is a function of facts and wishes, and measures
 // nothing. A fact that takes long to measure is itself a function, which is called only if the decision depends on it.
@@ -17,8 +17,8 @@ namespace hrbfnpr::mesh {
 // Returns whether make_mesh() turns the faces of a component around.
 [[nodiscard]] bool is_turned(const Component& component, Parts parts, Faces faces) noexcept;
 
-// How all faces of a mesh must be turned, as inspected samples show: not at all (right), because a terrain faces down
-// along z or y, or because the normals point inward.
+// Whether all faces of a mesh must be turned, as inspected samples show: no (right); yes, because a terrain faces down
+// along z or y; or yes, because the normals point inward.
 enum class Facing { right, down_z, down_y, inward };
 
 struct FacingFacts {
@@ -45,7 +45,7 @@ struct EdgeLengths {
 struct CreaseEvidence {
     double length = 0.0;     // The length of the edges that bend by more than the angle, in diagonals.
     double standing = 0.0;   // The share of `length` in edges that stand out (has_creases.cpp).
-    double coarse = 0.0;     // The share of `length` whose two faces are far from a round surface.
+    double coarse = 0.0;     // The share of `length` in edges whose two faces are far from a round surface.
     bool creases = false;    // True if the shape has edges.
     bool polyhedron = false; // True if the shape has edges because its faces are coarse. All faces are then flat.
 };
@@ -77,14 +77,14 @@ struct Sharpness {
 
 // The statement of a file's normals about the edges that bend.
 enum class EdgesInFile {
-    // The file says nothing about edges. A file that says that all edges are smooth counts the same, because computed
-    // normals say so, too.
+    // The file says nothing about edges. If a file says that all edges are smooth, this also counts as nothing, because
+    // computed normals say so, too.
     nothing,
     some_are_sharp,
     all_are_sharp,
 };
-// Returns the statement. It depends on the number of edges that bend, and on how many of them have separate normals for
-// each face.
+// Returns what the normals of a file say about edges. It depends on the number of edges that bend, and on how many of
+// them have separate normals for each face.
 [[nodiscard]] EdgesInFile plan_edges_of_file(std::int64_t bends, std::int64_t sharp) noexcept;
 
 // The caller's options for a picture. Distances are in diagonals.
@@ -159,7 +159,7 @@ struct FittedEdges {
 // Returns whether a search for parts that cross, or are close to each other, is worthwhile.
 [[nodiscard]] bool may_be_grouped(const MeshReport& mesh, std::int64_t faces) noexcept;
 
-// ---- How near the surface is to come
+// ---- The samples and the tolerance of a fit
 
 inline constexpr double default_tolerance = 0.002; // in diagonals
 

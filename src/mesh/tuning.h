@@ -24,8 +24,8 @@ struct MeshTuning {
     // A face is a sliver if its height is at most this share of its longest side, and at most the rounding error.
     // Larger: small faces count as slivers.
     double flattest = 1e-3;
-    // Slivers may be beside other slivers, so they are split in rounds, at most this many. Larger: longer rows are
-    // split.
+    // Slivers may lie beside other slivers, so they are split in several rounds. This is the largest number of rounds.
+    // Larger: longer rows of slivers are split.
     int most_sliver_rounds = 32;
 
     // ---- Orientation
@@ -49,10 +49,11 @@ struct MeshTuning {
     double row_inset = 0.943;
     // The distance between the places of the row, in units of `closest`. Larger: the end is less straight.
     double row_step = 0.15;
-    // Shorter borders belong to holes that stay closed; in circumferences of a circle of radius `closest`.
+    // A border shorter than this, in circumferences of a circle of radius `closest`, belongs to a hole that stays
+    // closed.
     double shortest_border = 1.5;
-    // A place is in the row only if it is at least this many insets from every border. Larger: no places in sharp
-    // corners.
+    // A place is in the row only if its distance from every border is at least this, in insets. An inset is `row_inset`
+    // times `closest`. Larger: no places in sharp corners.
     double least_inset = 0.9;
     // The row replaces even samples whose distance from the border is at most this many insets. Larger: a gap beside
     // the row.
@@ -112,13 +113,14 @@ struct PlanTuning {
 
     // ---- Parts
 
-    // Far parts are dropped only if together they have at most this share of the area. Larger: more parts are dropped.
+    // Far parts are dropped only if together they have at most this share of the total area. Larger: more parts are
+    // dropped.
     double lost_area = 0.001;
-    // A part is dropped only if its distance from all other parts is more than (this - 1) times their size. Larger:
-    // fewer parts are dropped.
+    // A part is dropped only if its distance from the other parts is more than (this - 1) times the diagonal of the
+    // other parts. Larger: fewer parts are dropped.
     double lost_distance = 4.0;
-    // A part is too small for a separate surface if it has at most this many faces, and at most a share of the total
-    // area. Larger: more faces are removed where three faces share an edge.
+    // A part is too small for a separate surface if it has at most this many faces, and less than the share `flap_area`
+    // of the total area. Larger: more faces are removed where three faces share an edge.
     std::int64_t flap_faces = 2;
     double flap_area = 2e-4;
     // Meshes with more faces than this are one group. The first limit is for meshes of one component, the second for
@@ -126,7 +128,7 @@ struct PlanTuning {
     std::int64_t most_faces_of_one = 100'000;
     std::int64_t most_faces = 300'000;
 
-    // ---- How near the surface must be to the mesh
+    // ---- The tolerance of a fit
 
     // The largest allowed distance, in tolerances, unless the caller gives it. Larger: fewer centres in details.
     double far = 5.0;
@@ -140,8 +142,8 @@ struct PlanTuning {
     double least_off_exact = 0.001;
     // A fit is exact if its distance from the mesh is at most this, in diagonals. Fits of planes are exact.
     double exact = 2e-4;
-    // The lower bound as a share of a strip's width. It leaves space for a row of places on either side of the strip,
-    // and for a gap between the rows.
+    // The lower bound of EndPlan::off, as a share of the width of a strip. It leaves space for a row of places on
+    // either side of the strip, and for a gap between the rows.
     double of_width = 0.2;
     // The lower bound of EndPlan::off, in mean distances between places. Larger: the surface ends farther beyond the
     // last places.

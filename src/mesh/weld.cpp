@@ -42,7 +42,7 @@ void check_vertex(const glm::dvec3& p, std::int64_t vertex, std::int64_t face) {
                  static_cast<long long>(vertex), static_cast<long long>(face), p[c]);
 }
 
-// Returns the triangles with the vertex numbers of the caller.
+// Returns the triangles with the caller's vertex indices.
 [[nodiscard]] base::Array<Triangle> read_triangles(const base::Work& work, const MeshInput& input) {
     const std::int64_t vertices = input.vertices.count;
     base::Array<Triangle> triangle(work.memory);
@@ -71,14 +71,14 @@ void check_vertex(const glm::dvec3& p, std::int64_t vertex, std::int64_t face) {
     return bits ^ bits >> 33U;
 }
 
-// Assigns the numbers 0, 1, 2 and so on to different things, in the order in which they come. It is a hash table.
+// A hash table that assigns the indices 0, 1, 2 and so on to different items, in the order in which they are added.
 class HashNumbering {
 public:
     HashNumbering(base::Memory& memory, std::int64_t most)
         : place_(memory, static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(2 * most + 16)))) {}
 
-    // Returns the number of a thing that is already known, for which same(number) is true. A new thing gets the number
-    // `next`.
+    // Returns the index of an item. If the item is in the table, this is the index for which same(index) is true. A new
+    // item gets the index `next`.
     template <class Same>
     [[nodiscard]] std::int64_t find_or_add(std::uint64_t hash, std::int64_t next, Same&& same) noexcept {
         const auto mask = static_cast<std::uint64_t>(place_.size() - 1);
@@ -93,7 +93,7 @@ public:
     }
 
 private:
-    base::Array<std::int32_t> place_; // for each place of the table: a number plus 1, or 0 if the place is free
+    base::Array<std::int32_t> place_; // for each slot of the table: an index plus 1, or 0 if the slot is free
 };
 
 void join_vertices(const base::InView& given, Welded& welded, MeshReport& report, const base::Progress& progress) {
@@ -193,7 +193,7 @@ struct Sliver {
     return low << 32U | static_cast<std::uint64_t>(std::max(a, b));
 }
 
-// Returns the number of the longest side of a sliver, or -1 if the face is not a sliver.
+// Returns which side of a sliver is the longest (0, 1 or 2), or -1 if the face is not a sliver.
 [[nodiscard]] int sliver_side(const Welded& welded, const Triangle& t, double rounding) noexcept {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return -1;
     const std::array<glm::dvec3, 3> p{welded.vertex[t[0]], welded.vertex[t[1]], welded.vertex[t[2]]};
@@ -220,9 +220,9 @@ void join_ends(Welded& welded, double rounding) {
     rename_corners(places, welded);
 }
 
-// Keeps the better of two faces across the side: one with the same orientation is better, and then one with a number
-// closer to the sliver's. Where solids touch there are several such faces, and in most files the faces of a solid have
-// consecutive numbers.
+// Keeps the better of two faces across the longest side of a sliver. A face with the same orientation as the sliver is
+// better. Otherwise the face whose index is closer to the sliver's index is better: where solids touch, several faces
+// share the side, and in most files the faces of a solid have consecutive indices.
 void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
     if (sliver.face == face) return;
     const bool agrees = forward != sliver.forward;
@@ -234,8 +234,8 @@ void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
     sliver.agrees = agrees;
 }
 
-// Returns the slivers, sorted by longest side. UnionFind `longest` of each face to its longest side, or to no_edge if
-// the face is not a sliver.
+// Returns the slivers, sorted by longest side. Sets `longest` of each face to its longest side, or to no_edge if the
+// face is not a sliver.
 [[nodiscard]] base::Array<Sliver> find_slivers(const Welded& welded, double rounding,
                                                base::Array<std::uint64_t>& longest, const base::Progress& progress) {
     base::Array<Sliver> found(welded.vertex.memory());
@@ -263,15 +263,15 @@ void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
     return found;
 }
 
-// Cuts faces across slivers. Returns the number of faces that were cut.
+// Cuts the faces across the longest sides of slivers. Returns the number of faces that were cut.
 [[nodiscard]] std::int64_t split_across(const base::Array<Sliver>& slivers, const base::Array<std::uint64_t>& longest,
                                         Welded& welded) {
     base::Array<std::uint8_t> changed(welded.vertex.memory(), welded.triangle.size());
     std::int64_t split = 0;
     for (const Sliver& sliver : slivers) {
         if (sliver.across < 0 || changed[sliver.face] != 0 || changed[sliver.across] != 0) continue;
-        // If the face across is another sliver, that one is first cut at its own longest side. Otherwise the two would
-        // be cut for ever.
+        // If the face across is a sliver with another longest side, it must be cut at that side first. Otherwise the
+        // two slivers would be cut for ever.
         if (longest[sliver.across] != no_edge && longest[sliver.across] != sliver.edge) continue;
         const auto a = static_cast<std::int32_t>(sliver.edge >> 32U);
         const auto b = static_cast<std::int32_t>(sliver.edge & 0xFFFFFFFFU);
@@ -307,12 +307,12 @@ void split_slivers(double rounding, Welded& welded, MeshReport& report, const ba
     }
 }
 
-// ---- Faces without area, and repeated ones
+// ---- Faces without area, and repeated faces
 
-// For a face that is kept: how many given faces have the same corners.
+// Counts the given faces that have the same corners as a kept face.
 struct Repeated {
     std::int32_t balance = 0; // the number of equal faces with one orientation, minus the number with the other
-    std::int32_t last = -1;   // the number of the last face with these corners
+    std::int32_t last = -1;   // the index of the last given face with these corners
 };
 
 [[nodiscard]] Triangle sorted(Triangle t) noexcept {
@@ -334,7 +334,7 @@ struct Repeated {
     for (const std::int64_t face : progress.over(welded.triangle.size())) {
         const Triangle t = welded.triangle[face];
         const glm::dvec3 area = doubled_area({welded.vertex[t[0]], welded.vertex[t[1]], welded.vertex[t[2]]});
-        // A face has no normal if the square of its area is too small for a double, either.
+        // A face also has no normal if the square of its area is too small for a double.
         if (!(glm::dot(area, area) >= std::numeric_limits<double>::min())) {
             ++report.degenerate_faces;
             continue;
@@ -372,7 +372,7 @@ struct FaceAtEdge {
 
 constexpr double parts_of_radian = 1e7;
 
-// Converts an angle to these units. -pi becomes pi, which is the same direction.
+// Converts an angle in radians to units of 1 / parts_of_radian radians. -pi becomes pi, which is the same direction.
 [[nodiscard]] std::int64_t in_parts(double angle) noexcept {
     const std::int64_t half = std::llround(parts_of_radian * std::numbers::pi);
     const std::int64_t parts = std::llround(parts_of_radian * angle);
@@ -410,23 +410,23 @@ void measure_about(const Welded& welded, double rounding, const Side* first, con
     return std::abs(std::abs(a.angle - b.angle) - in_parts(std::numbers::pi));
 }
 
-// ---- Walls within solids: faces that two of them share, as boxes beside each other do
+// ---- Walls: faces that two solids share, as two boxes do that stand side by side
 
 enum class OppositeFace : std::uint8_t {
-    none = 0, // no twins, or twins that belong to a leaf
+    none = 0, // neither a wall nor a contact
     wall = 1,
     contact = 2 // solids touch here and in the faces beyond
 };
 
-// Returns the kind of each face. Faces that were given equally often in both orientations are twins. Only twins may be
-// walls or contacts. A sheet of connected twins is a wall if it meets other faces at its ends, and nowhere ends without
-// them: a leaf of two sides and a solid given in both orientations meet no others. The sheet is part of a contact if
-// those other faces lie on each other as well, in separate triangles.
+// Returns the kind of each face. Faces that were given equally often in both orientations are twins. Only twins can be
+// walls or contacts. A region of connected twins is a wall if other faces meet it at edges, and if it has no free edge.
+// A thin leaf with two sides, and a solid given in both orientations, meet no other faces. A region is a contact if, in
+// addition, two of the other faces coincide in different triangles.
 [[nodiscard]] base::Array<OppositeFace> find_walls(const base::Work& work, const Welded& welded,
                                                    const base::Array<Repeated>& repeated, double rounding) {
-    constexpr unsigned ends = 1;    // The sheet ends at an edge with fewer than two other faces.
-    constexpr unsigned meets = 2;   // The sheet meets two or more other faces.
-    constexpr unsigned goes_on = 4; // Two of these faces coincide and face each other.
+    constexpr unsigned ends = 1;    // The region has a free edge, with fewer than two other faces.
+    constexpr unsigned meets = 2;   // The region meets two or more other faces.
+    constexpr unsigned goes_on = 4; // Two of the other faces coincide and face each other.
     const std::int64_t faces = welded.triangle.size();
     const auto is_twin = [&](const Side& side) { return repeated[side.face].balance == 0; };
     UnionFind sheets(work.memory, faces);
@@ -502,8 +502,8 @@ void leave_out_walls(const base::Work& work, const base::Array<Repeated>& repeat
 
 // ---- Edges and corners in which solids touch
 
-// Sorts faces with the same angle, up to rounding. The face that ends a solid comes before the face that begins the
-// next solid.
+// Orders faces that have the same angle about the edge, up to rounding. The face that ends a solid then comes before
+// the face that begins the next solid.
 void end_before_begin(base::Array<FaceAtEdge>& about) noexcept {
     for (std::int64_t turns = 0; turns < about.size(); ++turns) {
         bool moved = false;

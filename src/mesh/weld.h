@@ -15,8 +15,7 @@ struct Welded {
     base::Array<std::int32_t> given_face;
 };
 
-// Welds the caller's arrays. The report receives the numbers of vertices that are joined and of faces that are left
-// out.
+// Welds the caller's arrays. The report receives the count of joined vertices and the count of faces that are left out.
 [[nodiscard]] Welded weld(const base::Work& work, const MeshInput& input, MeshReport& report);
 
 } // namespace hrbfnpr::mesh

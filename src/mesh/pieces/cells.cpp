@@ -38,10 +38,10 @@ struct Program {
 };
 using Programs = base::Array<Program>;
 
-// Adds all trees over a set of functions whose top is a maximum (0) or a minimum (1). The bits of `set` are the
-// functions. topped(set, top) returns the trees over smaller sets; a single function is a tree for both tops. A tree
-// joins two parts. One part contains the lowest function, and is that function or a tree with the other top. The other
-// part is of this kind, too, or a tree with the same top.
+// Adds to `to` all trees over a set of functions whose root is a maximum (`top` = 0) or a minimum (`top` = 1). Each bit
+// of `set` is a function. topped(set, top) returns the trees over a smaller set; a single function counts as a tree
+// with either root. The root joins two subtrees. The first subtree contains the lowest function; it is this function
+// alone, or a tree with the opposite root. The second subtree is a single function, or a tree with either root.
 template <class Topped>
 void add_trees(std::uint32_t set, std::uint32_t top, Topped&& topped, Programs& to) {
     const std::uint32_t lowest = set & (~set + 1U);
@@ -69,7 +69,7 @@ void add_trees(std::uint32_t set, std::uint32_t top, Topped&& topped, Programs& 
     }
 }
 
-// ---- SignedDistances of the mesh
+// ---- Signed distances from the mesh
 
 // The place on the mesh that is nearest to a given place.
 struct NearestPlace {
@@ -128,8 +128,8 @@ private:
     bool by_rays_ = false;
 };
 
-// Returns faces evenly distributed by area. Evenly by number would be wrong: the many small faces at the rounded
-// corners of a tray would make the tray look solid.
+// Returns faces evenly distributed by area. An even distribution by index would be wrong: the many small faces at the
+// rounded corners of a tray would make the tray look solid.
 [[nodiscard]] base::Array<std::int64_t> faces_to_probe(const Mesh& mesh) {
     const auto probes = static_cast<double>(cell_tuning.probes);
     base::Array<std::int64_t> faces(mesh.vertex.memory());
@@ -182,7 +182,7 @@ bool SignedDistances::is_solid_by_rays(const base::Work& work, const base::Array
 
 glm::dvec3 SignedDistances::pseudo_normal(std::int64_t face, const glm::dvec3& place, bool& inner) const noexcept {
     // A place is on an edge of a face if its barycentric coordinate for the opposite corner is below this.
-    constexpr double on_edge = 1e-6; // the share of a corner at which a place is on an edge
+    constexpr double on_edge = 1e-6; // in barycentric coordinates
     const glm::dvec3 shares = shares_of(mesh_.corners(face), place);
     inner = shares.x > on_edge && shares.y > on_edge && shares.z > on_edge;
     if (inner) return normal_[face];
@@ -270,7 +270,7 @@ struct TreeTests {
         slack.push_back(may_be_off);
         own.push_back(sheet);
     }
-    // Returns the sign of all places, or 0 if signs differ or a place is on the surface.
+    // Returns the common sign of the distances of all places, or 0 if the signs differ or a place is on the surface.
     [[nodiscard]] double one_side() const noexcept {
         if (distance.empty()) return 0.0;
         const double sign = std::copysign(1.0, distance[0]);
@@ -281,12 +281,12 @@ struct TreeTests {
 
     geometry::VecArray place;
     base::Array<double> distance;  // for each place: its signed distance from the mesh
-    base::Array<double> slack;     // for each place: the allowed difference between f and the value of `own`
+    base::Array<double> slack;     // for each place: the allowed difference between f and the sheet `own`
     base::Array<std::int32_t> own; // for each place on the surface: the index of the sheet that f should equal; else -1
 };
 
-// Adds two kinds of tests. On the mesh, f should equal the sheet of the patch. NearestPlace the mesh, f should have the
-// sign of that side.
+// Adds two kinds of tests. On the mesh, f should equal the sheet of the patch. Beside the mesh, on either side, f
+// should have the sign of that side.
 void test_on_surface(const CellTask& task, const CellBox& box, std::span<const std::int32_t> sheets,
                      const NearestPlace& nearest, double step, TreeTests& tests) {
     if (!box.contains(nearest.place) || !task.distances.is_outer(nearest)) return;
@@ -399,7 +399,7 @@ struct TreeChoice {
 struct Node {
     glm::dvec3 centre;
     double half;
-    std::int64_t parent; // the number of the parent node in the level above
+    std::int64_t parent; // the index of the parent node in the level above
 
     [[nodiscard]] CellBox box() const noexcept { return {centre, SheetTreeData::cell_reach * half}; }
 };

@@ -11,9 +11,9 @@
 
 namespace hrbfnpr::mesh {
 
-// Lists all ways to combine a few functions by maxima and minima, each once, as programs of implicit::SheetTreeData:
-// numbers of functions, `larger`, `smaller`. For 1 to `most` functions there are 1, 2, 8, 52 and 472 (series-parallel
-// networks: MacMahon 1890).
+// Lists all ways to combine a few functions by maxima and minima, each way once. Each way is a program of
+// implicit::SheetTreeData: a sequence of function indices, `maximum` and `minimum`. For 1 to `most` functions there are
+// 1, 2, 8, 52 and 472 programs (series-parallel networks: MacMahon 1890).
 class ReadOnceTrees {
 public:
     static constexpr std::int32_t most = 5;

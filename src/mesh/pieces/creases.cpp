@@ -183,7 +183,7 @@ void sharpen_between_corners(const CreaseTask& task, BentEdges& bends) {
     for (const std::int64_t i : found) bends.sharpen(i);
 }
 
-// UnionFind `cut`, `patch` and `patches` from the sharp edges.
+// Sets `cut`, `patch` and `patches` from the sharp edges.
 void find_patches(const CreaseTask& task, const BentEdges& bends, Creases& creases) {
     const Mesh& mesh = task.mesh;
     base::Array<std::uint8_t> cut(task.work.memory, 3 * mesh.faces());

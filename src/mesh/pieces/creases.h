@@ -16,7 +16,7 @@ struct Crease {
 struct Creases {
     explicit Creases(base::Memory& memory) noexcept : patch(memory), edge(memory), cut(memory), shared(memory) {}
 
-    // For each face: the number of its patch; patches are numbered in the order of their first faces.
+    // For each face: the index of its patch. Patches are numbered in the order of their first faces.
     base::Array<std::int32_t> patch;
     std::int32_t patches = 0;
     base::Array<Crease> edge;

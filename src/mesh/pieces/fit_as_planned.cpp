@@ -55,8 +55,8 @@ void log_pieces(const base::Runtime& runtime, const SheetTreeReport& report) {
             report.smooth_length, static_cast<long long>(report.poor_cells));
 }
 
-// Decides where the surface ends: it ends where the places that are stored in `made` end. `samples` are the samples of
-// a smooth fit.
+// Decides where the surface ends, and stores the result in `made`. If it ends with the support of some places, these
+// are stored, too. `samples` are the samples of a smooth fit.
 void find_end(const base::Work& work, const Mesh& mesh, const FaceTree& tree, std::uint64_t seed, bool may_end,
               std::optional<fit::Samples>&& samples, PlannedFit& made) {
     made.end = plan_end(end_facts(mesh, made.report, made.pieces.has_value()), may_end);
@@ -117,7 +117,7 @@ MeshSamples end_places(const base::Work& work, const Mesh& mesh, const FaceTree&
 
 PlannedFit fit_as_planned(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const CreaseEvidence& known,
                           const FitMeshSettings& settings, const fit::FitInput& options, bool may_end) {
-    constexpr double end_of_fit = 0.95; // The share of the progress that the fit takes.
+    constexpr double end_of_fit = 0.95; // the share of the progress at the end of the fit
     const base::Work of_fit = work.part(0.0, end_of_fit);
     const PlannedCreases planned = find_planned_creases(work, mesh, tree, known, settings);
     log_doubt(work, planned, settings.crease_angle);

@@ -148,8 +148,8 @@ void return_fits(SheetFits& sheets, SheetFits& before) {
         if (sheets.fit_from[p] >= 0) before.fit[sheets.fit_from[p]] = std::exchange(sheets.fit[p], std::nullopt);
 }
 
-// Returns the patches by their numbers of faces. Small patches come first, so that larger ones can use the centres that
-// these leave.
+// Returns the patches, sorted by their count of faces. Small patches come first, so that larger patches can use the
+// centres that small ones do not need.
 [[nodiscard]] base::Array<std::int32_t> small_first(const SheetFits& sheets) {
     base::Array<std::int32_t> order(sheets.fit_from.memory());
     for (std::int32_t p = 0; p < sheets.creases.patches; ++p) order.push_back(p);
@@ -300,8 +300,8 @@ void move_sheets(SheetFits& from, implicit::SheetTreeData& to) {
     for (std::optional<SheetFit>& one : from.fit) to.sheet.add(std::move(one->data));
 }
 
-// Makes the cells, and measures the distances of surface and mesh in both directions, at new places. The result holds
-// the sheets meanwhile.
+// Makes the cells, and measures the distances of surface and mesh in both directions, at new places. While it runs,
+// `result` holds the sheets.
 void make_whole(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& result, const base::Progress& progress) {
     const base::Runtime& runtime = task.runtime;
     move_sheets(sheets, result.data);
@@ -357,8 +357,8 @@ void make_whole(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& resu
     return result;
 }
 
-// Makes a model of other patches, which borrows the sheets of unchanged patches. Returns whether the model is better.
-// If not, the sheets go back.
+// Makes a model with more patches than the best model. It takes the sheets of unchanged patches from the best model.
+// Returns whether the new model is better. If not, gives these sheets back.
 [[nodiscard]] bool improves(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& result, SheetFits& best_sheets,
                             const SheetTreeFit& best, const base::Progress& progress) {
     try {
@@ -382,7 +382,7 @@ void make_whole(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& resu
 
 SheetTreeFit fit_sheet_tree(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const Creases& creases,
                             const FitMeshSettings& settings, const fit::FitInput& options) {
-    constexpr double end_of_first = 0.7; // share of the progress
+    constexpr double end_of_first = 0.7; // the share of the progress at the end of the first model
     HRBFNPR_ASSERT(creases.patches >= 1 && creases.patch.size() == mesh.faces());
     refuse_flat_solid(mesh);
     const base::Stopwatch watch;

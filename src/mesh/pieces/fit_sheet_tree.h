@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fits an implicit of sheets to a mesh with creases. It has the same creases.
+// Fits an implicit of sheets to a mesh with creases. The fitted surface has the same creases as the mesh.
 #pragma once
 
 #include "implicit/sheet_tree.h"

@@ -180,7 +180,7 @@ PartSizes sizes_of_parts(const base::Runtime& runtime, const Mesh& mesh) {
     return sizes;
 }
 
-// Judges the whole from the sums over its components.
+// Judges the whole mesh from the sums over its components.
 CreaseEvidence judged_whole(const base::Array<EdgeLengths>& lengths, const base::Array<CreaseEvidence>& part,
                             const PartSizes& sizes, double diagonal) noexcept {
     EdgeLengths all;

@@ -15,9 +15,9 @@ namespace hrbfnpr::mesh {
 
 struct CreaseEvidenceOfParts {
     base::Array<CreaseEvidence> part; // the evidence of each component, in diagonals of the component
-    // For each side 3 face + k: 1 if the mesh bends there by more than the angle. Fillets and other round walls have 0,
-    // where the mesh continues to turn in the same sense on both sides. On a polyhedron it is 1 if a face at the side
-    // is too coarse to be round.
+    // For each side 3 face + k: 1 if the mesh bends there by more than the angle, else 0. It is also 0 on fillets and
+    // other round walls, where the mesh continues to turn in the same sense on both sides of the edge. On a polyhedron
+    // it is 1 if a face at the side is too coarse to be round.
     base::Array<std::uint8_t> sharp;
     CreaseEvidence whole; // Evidence for the whole mesh. It has creases if parts with creases have enough of its area.
 };

@@ -156,8 +156,9 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
 
 // ---- Tips of cones
 //
-// At a tip the mean normal is turned from that of each face, and at the far side of the face the normals are turned by
-// a small part of that. On a sphere the normals are turned equally at all corners of a face.
+// At a tip, the mean normal differs by an angle from the normal of each face. At the far side of the face, the vertex
+// normals differ from the face normal by only a small part of this angle. On a sphere, the vertex normals at all three
+// corners of a face differ from the face normal by equal angles.
 
 [[nodiscard]] double turned_at(const Mesh& mesh, const PatchNormals& normals, std::int64_t corner,
                                std::int64_t other) noexcept {

@@ -25,7 +25,7 @@ struct PatchNormals {
 [[nodiscard]] PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
                                          double tolerance = std::numeric_limits<double>::infinity());
 
-// Returns how far the middles of a face's sides are from the curved surface with these normals, at most.
+// Returns the largest distance between the middle of a side of the face and the curved surface with these normals.
 [[nodiscard]] double chord_error(const Mesh& mesh, const base::Array<glm::dvec3>& normal, std::int64_t face) noexcept;
 // Returns the largest chord_error() of the faces at each vertex.
 [[nodiscard]] base::Array<double> chord_errors(const Mesh& mesh, const base::Array<glm::dvec3>& normal);
@@ -39,7 +39,7 @@ struct PatchSamples {
 
 struct PatchTolerance {
     double crease; // the tolerance at creases
-    double far;    // the tolerance at more than `ramp` from creases
+    double far;    // the tolerance at a distance of more than `ramp` from creases
     double ramp;
 };
 

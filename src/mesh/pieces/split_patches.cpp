@@ -5,8 +5,8 @@
 //   spread_labels   assigns each face of such a patch to the nearest side of a crease
 //   number_parts    turns the parts into patches
 //   split_winding   cuts patches that wind around beside themselves
-//     measure_ways    measures the ways along edges from one end of the patch to its faces
-//     turn_of         finds the way from one turn to the next, from faces beside or above each other
+//     measure_ways    measures the lengths of paths along edges from one end of the patch to its faces
+//     turn_of         finds the path length from one turn to the next, from faces beside or above each other
 //   shared_bands    finds the faces near a smooth cut, which belong to the sheets on both sides of it
 #include "mesh/pieces/split_patches.h"
 
@@ -36,7 +36,7 @@ struct PatchedMesh {
         return beyond[side] < 0 ? -1 : static_cast<std::int32_t>(beyond[side] / 3);
     }
 
-    // Returns the two patches at a crease, the lower number first.
+    // Returns the two patches at a crease, the one with the lower index first.
     [[nodiscard]] std::array<std::int32_t, 2> pair_of(const Crease& crease) const noexcept {
         const std::int32_t a = creases.patch[crease.left];
         const std::int32_t b = creases.patch[crease.right];
@@ -268,7 +268,7 @@ base::Array<Creases::Shared> shared_bands(const PatchedMesh& patched, const Labe
 
 // ---- Patches that wind around
 
-using Patch = std::span<const std::int32_t>; // the numbers of a patch's faces
+using Patch = std::span<const std::int32_t>; // the indices of a patch's faces
 
 // Computes the lengths of paths on a patch from one face to all others. Returns the farthest face that is connected
 // with it. Paths follow edges: through the middles of slivers, they would be zigzags.
@@ -336,8 +336,8 @@ using Patch = std::span<const std::int32_t>; // the numbers of a patch's faces
         if (any > 0) around.push_back(std::abs(way[face] - way[face_at(found)]));
     }
     if (around.empty() || 2 * around.size() < static_cast<std::int64_t>(count)) return infinite;
-    // The lower quartile is more robust than the minimum. Where a flank ends in a flat, a few faces have a very short
-    // path to a place above them.
+    // The lower quartile of the path lengths is more robust than their minimum. Where a flank ends in a flat, a few
+    // faces have a very short path to a place above them.
     double* const quarter = around.begin() + around.size() / 4;
     std::nth_element(around.begin(), quarter, around.end());
     return *quarter;

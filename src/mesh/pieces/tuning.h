@@ -12,8 +12,8 @@ struct HasCreasesTuning {
     // The mesh is examined beside an edge up to this distance, in heights of the face there. Above 1, the distance
     // includes the edges of the next faces, however quads are cut. Larger: edges beside narrow faces stand out less.
     double reach = 1.5;
-    // An edge stands out if its bend is this many times the angle by which the mesh turns beside it. Larger: fewer
-    // edges stand out.
+    // An edge stands out if its bend is at least this many times the angle by which the mesh turns beside it. Larger:
+    // fewer edges stand out.
     double stands_out = 4.0;
     // Two faces belong to one flat polygon if the edge between them bends by less than this, in degrees. Larger:
     // coordinates may have fewer digits, and more bent quads count as flat.
@@ -41,17 +41,17 @@ struct CreaseTuning {
     // A crease with a free end is extended only where the cosine of its turn is at least this. Larger: creases stop at
     // turns.
     double aligned = 0.6;
-    // A crease that separates no patches is dropped if it is shorter than this, in diagonals, or has too few edges.
-    // Larger: fewer short creases.
+    // A crease that separates no patches is dropped if it is shorter than this, in diagonals, or has fewer than
+    // `fewest_fading` edges. Larger: fewer short creases.
     double shortest_fading = 0.03;
     std::int64_t fewest_fading = 4;
     // A patch joins a neighbour if it has fewer faces than this and its area is less than the square of `scrap_size`
     // diagonals. Larger: fewer tiny sheets.
     std::int64_t scrap_faces = 10;
     double scrap_size = 0.002;
-    // At a smooth cut, each sheet is also fitted to faces beyond the cut. They are at most this many diagonals from the
-    // cut, and at most `band_share` times the distance of the crease. Larger: the sheets agree better at the cut, and
-    // have more centres.
+    // At a smooth cut, each sheet is also fitted to faces beyond the cut. Their distance from the cut is at most this
+    // many diagonals, and at most `band_share` times their distance from the nearest crease. Larger: the sheets agree
+    // better at the cut, and have more centres.
     double widest_band = 0.04;
     double band_share = 0.4;
     // The end of a patch between two parts of another patch is a tip if its angle is at most this, in radians. Larger:
@@ -66,8 +66,8 @@ struct SheetTuning {
     // The number of evenly spread samples that a fit begins with. Larger: planes take longer.
     std::int64_t first_centres = 8;
     std::int32_t most_rounds = 12;
-    // A round adds at most this many centres, as a share of the existing ones, but always may add `smallest_batch`.
-    // Larger: fewer rounds, and more centres that were not needed.
+    // A round adds at most this share of the existing number of centres, but may always add `smallest_batch`. Larger:
+    // fewer rounds, and more centres that were not needed.
     double batch = 0.7;
     std::int64_t smallest_batch = 12;
     // Centres are at least this many tolerances apart. Larger: fewer centres along creases, which are less exact.
@@ -92,8 +92,8 @@ struct PatchTuning {
     // At the tip of a cone, the mean normal and the face normals differ by at least this on average, in radians.
     // Larger: blunt tips are rounded.
     double least_turn = 0.05;
-    // The cone at a tip is straight if the normals at the far side of its faces differ by at most this share of the
-    // difference at the tip. Larger: bumps count as tips.
+    // The cone at a tip is straight if, at the far side of its faces, the vertex normals differ from the face normals
+    // by at most this share of the difference at the tip. Larger: bumps count as tips.
     double straight = 0.25;
     // From one face at the tip to the next, the normal turns by at most this share of the whole turn. Larger: corners
     // count as tips.
@@ -122,8 +122,8 @@ struct PatchTuning {
 inline constexpr PatchTuning patch_tuning;
 
 struct WindingTuning {
-    // Two places belong to different turns of a patch if they are closer than this, in diagonals. Larger: wider coils
-    // are cut.
+    // Two places belong to different turns of a patch only if they are closer than this, in diagonals. Larger: wider
+    // coils are cut.
     double layers_apart = 0.2;
     // Two places belong to different turns of a patch only if the cosine of their normals is at least this.
     double same_way = 0.3;
@@ -132,29 +132,30 @@ struct WindingTuning {
     double way_around = 5.0;
     double least_way = 0.3;
     // A patch is flat if the cosine between each of its normals and the first is at least this. The turns of a flat
-    // patch are above each other: at least the second constant's share of their distance is along the normal.
+    // patch lie above each other: the distance of two places along the normal is at least `along_normal` times their
+    // distance.
     double flat = 0.9;
     double along_normal = 0.5;
     // The number of faces that are tested for a winding patch. The patch is cut if at least half of them are beside
-    // another turn, which is searched for among the second number of faces.
+    // another turn. Other turns are searched for among `known` faces of the patch.
     std::int64_t probes = 256;
     std::int64_t known = 4096;
-    // A patch is cut into at most this many parts. Each is at most this share of a turn long.
+    // A patch is cut into at most this many parts. Each part is at most `part_of_turn` turns long.
     double most_parts = 256.0;
     double part_of_turn = 0.5;
 };
 inline constexpr WindingTuning winding_tuning;
 
 struct CellTuning {
-    // ---- The side of the mesh that a place lies on
+    // ---- The side of the mesh on which a place lies
 
     // Two faces are folded upon each other if the sum of their normals is shorter than this: the angle between the
     // faces is then less than 23 degrees.
     double folded = 0.4;
     // A face is tested on both sides at this distance from it, in diagonals.
     double off_face = 1e-4;
-    // The number of faces that are tested for a solid, if a mesh has gaps. The mesh is solid if rays agree with the
-    // orientation of at least the second constant's share of them. Larger: fewer meshes are solid.
+    // The number of faces that are tested to find whether a mesh with gaps is solid. The mesh is solid if rays agree
+    // with the orientation of at least the share `solid_share` of these faces. Larger: fewer meshes are solid.
     std::int64_t probes = 128;
     double solid_share = 0.95;
 
@@ -162,8 +163,8 @@ struct CellTuning {
 
     // The side of the root cell, in units of the model's reach (PiecesData::reach diagonals). Larger: larger cells.
     double root_side = 1.02;
-    // The least level of cells with surface, the least level of cells without, and the largest level of all cells.
-    // Larger: more cells, better corners.
+    // The lowest level of cells with surface, the lowest level of cells without surface, and the highest level of all
+    // cells. Larger: more cells, better corners.
     std::int32_t least_level = 4;
     std::int32_t least_plain_level = 3;
     std::int32_t most_level = 9;
@@ -194,20 +195,21 @@ struct PiecesTuning {
     double at_crease = 0.025;
     double far_from_crease = 0.25;
     double ramp = 0.05;
-    // Each sheet may have at least this many centres. The whole model may have at least the second constant times the
-    // number of its sheets.
+    // Each sheet may have at least this many centres. The whole model may have at least `room_a_sheet` centres for each
+    // of its sheets.
     std::int64_t fewest = 8;
     std::int64_t room_a_sheet = 32;
     // The number of places on the mesh that the model keeps, at which searches for its surface begin.
     std::int64_t even_places = 2000;
-    // The number of places where contacts of parts are searched for is that of the faces, within these bounds. Larger:
-    // fewer contacts are missed.
+    // Contacts of parts are searched for at as many places as the mesh has faces, but at least at `fewest_on_parts`
+    // places and at most at `most_on_parts`. Larger: fewer contacts are missed.
     std::int64_t fewest_on_parts = 4000;
     std::int64_t most_on_parts = 100000;
     // Parts closer than this touch, in diagonals. Their sheets are moved outward by this distance.
     double contact = 1e-4;
-    // The distance of the surface is measured at this many places, found in this many cells along a diagonal. If the
-    // mesh has borders, surface counts only if its support by dense samples is within the limit.
+    // The distance between the surface and the mesh is measured at this many places of the surface. They are found with
+    // a grid of `cells_a_diagonal` cells along a diagonal. If the mesh has borders, a place counts only if its support
+    // by dense samples is within `support_limit`.
     std::int64_t measured_places = 10000;
     double cells_a_diagonal = 72.0;
     double support_limit = 3.0;
@@ -216,9 +218,10 @@ struct PiecesTuning {
     double settled = 0.02;
     // Unsettled patches are divided along edges that bend by more than these angles, in degrees.
     double smaller_angles[2] = {20.0, 10.0};
-    // Conditions for a division. Its cells are made only if the unsettled area falls below the first factor. It is kept
-    // if the share outside the tolerance, or the farthest distance, also falls below the second factor, and neither
-    // rises above the third. Patches with random curvature do not improve.
+    // The conditions for dividing patches. The cells of the new model are made only if the unsettled area falls below
+    // `promised` times its former value. The new model is kept if the share of places outside the tolerance, or the
+    // farthest distance, falls below `nearer` times its former value, and neither rises above `no_worse` times its
+    // former value. Patches with random curvature do not improve.
     double promised = 0.8;
     double nearer = 0.8;
     double no_worse = 1.1;
