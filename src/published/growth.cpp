@@ -17,7 +17,7 @@
 namespace hrbfnpr::published {
 namespace {
 
-// ---- What both recursions share
+// ---- Steps of both recursions
 
 struct Growth {
     const marks::Site& site;
@@ -300,8 +300,8 @@ void grow_strokes(const marks::Site& site, const Start& start, const GrowthSetti
     geometry::VecArray landed(site.memory());
     geometry::VecArray landed_normal(site.memory());
     refine_levels(growth, full, site.work, [&](std::int32_t level, double rho, const base::Progress& part) {
-        // Positions along strokes are numbered in steps of the finest requested level. A mark has a backward and a
-        // forward child.
+        // A position along a stroke is counted in steps of the finest requested level. Each mark has one child behind
+        // it and one child ahead of it.
         const auto finest = static_cast<std::int32_t>(marks::grown_count(1, 3, settings.levels - level));
         const auto place_of = [&](std::int64_t i) { return marks.place[i / 2] + (i % 2 == 0 ? -finest : finest); };
         const auto key_of = [&](std::int64_t i) { return stroke_key(marks.stroke[i / 2], place_of(i)); };

@@ -95,7 +95,7 @@ void ask_tones(const Scene& scene, ToneCalls& calls, base::Array<Mark>& marks) {
     }
 }
 
-// ---- Discs of a mark: their radii, and where they are painted, eye units along the view
+// ---- Radii and depths of the discs of a mark; depths are in eye units along the view
 
 [[nodiscard]] float ink_radius(const Run& run, const Mark& mark, std::int64_t number) noexcept {
     return mark.mark_class == MarkClass::silhouette ? run.discs.silhouette_ink(mark.pixels_per_unit)

@@ -2,10 +2,10 @@
 // gather, step by step:
 //
 // 1. set_up_items: how each item is seen, how much ink it has, and what its layers let through
-// 2. add_tasks: tasks of several clusters of a run
+// 2. add_tasks: divides the clusters of each run into tasks
 // 3. ask_tones: tau of the marks whose tone a callback gives
-// 4. gather_cluster, on threads: passes over clusters that are outside; makes splats of a cluster's first marks
-//    (add_splats), and ink of the marks that its tone shows (add_dots)
+// 4. gather_cluster, on threads: skips clusters outside the picture; makes splats of a cluster's first marks
+//    (add_splats), and ink of the marks that the tone selects (add_dots)
 #include "frame/depth_layers/gather.h"
 
 #include "base/prefetch.h"
@@ -44,7 +44,7 @@ constexpr std::int64_t clusters_a_task = 64; // A task has this many clusters. A
            a.splat_overlap == b.splat_overlap;
 }
 
-// Returns the ink of an item, whose first run has the number `first`.
+// Returns the ink of an item. `first` is the index of the item's first run.
 [[nodiscard]] ItemInk ink_of(const Scene& scene, std::int64_t first, base::Array<ItemInk::Term>& terms) {
     ItemInk ink;
     ink.first = terms.size();
@@ -52,7 +52,8 @@ constexpr std::int64_t clusters_a_task = 64; // A task has this many clusters. A
     float lines = 0.0F;
     for (std::int64_t r = first; r < scene.runs.size() && scene.runs[r].item == scene.runs[first].item; ++r) {
         const Run& run = scene.runs[r];
-        // Hatching makes its tone itself, and some runs make no tone, so their marks do not count.
+        // The marks of hatching are not counted, because the widths of its lines make its tone. The marks of runs that
+        // make no tone are not counted either.
         if (!run.draws_front || !run.makes_tone || run.shape == Shape::hatch) continue;
         // The strokes of blue-noise hatching have one direction. Other strokes have two directions, each with half of
         // the marks.
@@ -173,23 +174,24 @@ struct RunView {
     const ItemInk& ink;
     const TransmittanceTable& transmittance;
     const Gathering& all;
-    std::uint32_t layer; // the number of the run's layer in the drawing
+    std::uint32_t layer; // the index of the run's layer in the drawing
 };
 
-// The places of the next dot and the next splat, and the current counts.
+// Where the next dot and the next splat are stored, and the counts so far.
 struct GatherOutput {
     Dot* dot;
     Splat* splat;
     Counts counts;
 };
 
-// A cluster that is not passed over.
+// A cluster that may be in the picture.
 struct VisibleCluster {
     const marks::Cluster& cluster;
     const MarkBlock* blocks;
     ClusterView view;
     float pixel_curvature; // converts a curvature in the set's unit into one per pixel
-    bool is_uniform;       // No mark is near a contour, and all marks face the same side.
+    // All marks are in the picture, none is near a contour, and all face the eye or all face away.
+    bool is_uniform;
 
     [[nodiscard]] std::uint32_t mark(std::int64_t i) const noexcept {
         return blocks[i / MarkBlock::size].mark[i % MarkBlock::size];
@@ -236,13 +238,15 @@ struct VisibleCluster {
     selection.fade_factor =
         1.0F / (1.0F - 0.5F * selection.fade); // Marks that fade in are small, so more of them are shown.
     selection.scale = v.run.discs.scale(pixels_per_unit);
-    // With coverage, foreshortening is already taken into account. Without it, ink of the front fades near the contour.
+    // The tone curve by coverage already takes foreshortening into account. With the other tone curves, the ink of
+    // front marks fades near the contour.
     const bool vanishes = selection.fade > 0.0F && !selection.coverage && !selection.is_published;
     selection.vanishing_nu = vanishes ? layer_tuning.front_fade : 0.0F;
     return selection;
 }
 
-// Returns how many of a cluster's first marks belong to the first share `shown` of all marks.
+// Returns how many marks of a cluster are shown if the share `shown` of all marks is shown. These are the first marks
+// of the cluster.
 [[nodiscard]] std::int64_t count_shown(const VisibleCluster& visible, float shown) noexcept {
     if (!(shown > 0.0F)) return 0;
     std::int64_t low = 0;
@@ -263,7 +267,7 @@ struct VisibleCluster {
     return visible.is_uniform ? layer_tuning.splat_spacing : layer_tuning.contour_splat_spacing;
 }
 
-// How many of a cluster's first marks are splats.
+// Returns how many marks of a cluster are splats. These are the first marks of the cluster.
 [[nodiscard]] std::int64_t count_splats(const Run& run, const VisibleCluster& visible) noexcept {
     if (!run.splats) return 0;
     // The first lines of a nested set leave gaps for the other lines, so all marks are needed as splats.
@@ -295,7 +299,8 @@ void set_halo(const RunView& v, const VisibleCluster& visible, const ProjectedMa
                          s[2] * w.x + s[4] * w.y + s[5] * w.z); // the change of the normal along w
     // The radial curvature in object space; positive where the surface is convex.
     const float curvature = glm::dot(w, turn) / glm::dot(w, w);
-    // On a circle of this curvature, the angle from the mark to the contour is nu. A flat surface gives infinity.
+    // The surface is taken as a circle of this curvature. `away` is the distance in the picture from the mark to the
+    // contour, in pixels. It is infinite where the surface is flat.
     const float bend = std::abs(curvature) * visible.pixel_curvature;
     const float away = nu * nu / ((1.0F + std::sqrt(std::max(0.0F, 1.0F - nu * nu))) * bend);
     if (!(away <= layer_tuning.contour_band)) return;
@@ -303,14 +308,15 @@ void set_halo(const RunView& v, const VisibleCluster& visible, const ProjectedMa
     const float across = std::sqrt(along.x * along.x + along.y * along.y);
     const float slope = -along.z / across;
     const float side = std::sqrt(projected.side_x[i] * projected.side_x[i] + projected.side_y[i] * projected.side_y[i]);
-    // The halo ends here: the contour is too steep, or on the wrong side.
+    // There is no halo where the depth changes too fast along the contour, or where the normal has no direction in the
+    // picture.
     if (!(std::abs(slope) <= layer_tuning.steepest_contour) || !(side > 0.0F)) return;
     c.halo = width;
     c.halo_transmittance = v.transmittance.halo;
     c.halo_x = c.x + away * projected.side_x[i] / side;
     c.halo_y = c.y - away * projected.side_y[i] / side;
-    // Where the surface bends little, its marks give only a rough distance to the contour. The slack keeps the halo
-    // beyond the contour's own line, and beyond things at nearly the same depth.
+    // Where the surface bends little, its marks give only a rough distance to the contour. The slack moves the halo
+    // away from the eye, so that it is behind the contour's own line and behind surfaces at nearly the same depth.
     const float slack = std::sqrt(2.0F * layer_tuning.contour_band * (1.0F / bend)) + std::abs(slope) * c.halo;
     c.halo_depth = c.depth + -nu * v.sight.scale / curvature + slack / c.pixels_per_unit;
     c.halo_slope_x = slope * along.x / (across * c.pixels_per_unit);
@@ -403,7 +409,8 @@ void add_dots(const RunView& v, const VisibleCluster& visible, const Selection& 
             const std::int64_t i = first + std::countr_zero(bits);
             const float radius = v.run.discs.front_ink(projected.pixels_per_unit[i]) *
                                  (width.empty() ? 1.0F : width[visible.cluster.block * MarkBlock::size + i]);
-            // The dot's side is that of the splats.
+            // The runs of the other side of a surface have opposite normals. The flag refers to the normals of the
+            // front side, as for splats.
             const bool faces_back = (projected.nu[i] > 0.0F) != v.run.turned;
             const auto flags = static_cast<std::uint8_t>((faces_back ? dot_faces_back : 0) |
                                                          (v.item.model != nullptr ? dot_is_exact : 0));

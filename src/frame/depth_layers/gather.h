@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The first half of a drawing by depth layers: makes ink and splats from clusters of marks.              [NPAR 6, 6.2]
 //
-// gather: Scene -> dots, splats and counts of a drawing; it also finds how items are seen, for hatching
+// gather: Scene -> dots, splats and counts of a drawing. Hatching also uses the resulting views of items.
 #pragma once
 
 #include "base/runtime.h"
@@ -14,7 +14,7 @@
 
 namespace hrbfnpr::frame {
 
-// ---- How much ink a tone takes
+// ---- The ink that a tone needs
 
 // How the marks of an item overlap.
 enum class Overlap : unsigned char {
@@ -59,9 +59,9 @@ struct ItemInk {
     std::array<float, needed_steps + 1> needed{};
 };
 
-// ---- What gather() makes
+// ---- The results of gather()
 
-// For each |nu|, the share of the ink beyond a layer that the layer lets through.
+// The transmittance of a layer for each |nu|: the share of the ink behind the layer that is still seen.
 struct TransmittanceTable {
     static constexpr std::size_t steps = 256;
     std::array<float, steps + 1> front, back;

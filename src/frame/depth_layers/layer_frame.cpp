@@ -22,8 +22,8 @@ namespace {
 
 constexpr std::int64_t strokes_a_task = 256;
 
-// Finds whether all possible ink has one colour, because its order then does not matter. The layers of the runs come
-// first and have the numbers of the runs; the layers of lines follow.
+// Finds whether all possible ink has one colour, because its order then does not matter. The drawing's layers of runs
+// come first, in the order of the runs. The layers of lines follow.
 void find_color(const Scene& scene, drawing::Drawing& drawing) {
     HRBFNPR_ASSERT(scene.runs.size() <= drawing.layers.size());
     drawing.one_color = true;
@@ -60,7 +60,7 @@ void bin_dots(const base::Parallel& parallel, const Scene& scene, std::span<cons
 // ---- The layers that each dot of ink is seen through                                                      [NPAR 6.1]
 //
 // A mark that faces the eye is never hidden by its own layer. Another layer of its item that faces the eye hides it
-// only if a layer that faces away lies between them. Solids have both kinds, in turn.
+// only if a layer that faces away lies between them. In a solid, the two kinds of layers alternate.
 
 constexpr float no_depth = std::numeric_limits<float>::infinity();
 
@@ -98,7 +98,7 @@ struct DimmingInput {
     return planes;
 }
 
-// Returns the number of the pixel at a place. Places outside the planes are clamped.
+// Returns the index of the pixel at a place. Places outside the planes are clamped.
 [[nodiscard]] std::int32_t pixel_at(const LayerPlanes& p, const glm::vec2& place) noexcept {
     const auto column = static_cast<std::int32_t>(std::clamp(place.x, 0.0F, static_cast<float>(p.width - 1)));
     const auto row = static_cast<std::int32_t>(std::clamp(place.y, 0.0F, static_cast<float>(p.height - 1)));
@@ -126,12 +126,12 @@ struct DimmingInput {
 // The layers through which a dot is seen.
 struct DimResult {
     float transmittance = 1.0F;
-    // From this depth on, other layers may lie before the ink. `nothing`: no layer may.
+    // Other layers in front of the ink can only be at this depth or farther. `no_depth`: there is no other layer.
     float more_from = no_depth;
 };
 
-// Reduces a dot's opacity by the nearest layers and the halo or, if `next`, by the next layers. `place` is in pixels of
-// the planes.
+// Reduces a dot's opacity by the nearest layers and the halo or, if `next` is true, by the next layers. `place` is in
+// pixels of the planes.
 DimResult dim(const DimmingInput& by, const LayerPlanes& p, const Dot& ink, const glm::vec2& place,
               bool next) noexcept {
     HRBFNPR_ASSERT(ink.layer < by.scene.runs.size() && ink.pixels_per_unit > 0.0F);
@@ -268,8 +268,8 @@ std::int64_t cast_dot_rays(const base::Runtime& runtime, const Scene& scene, con
 }
 
 // Puts the drawing's splats into tiles. Sets the opacity of each dot to the transmittance of the depth layers that the
-// splats represent. All dots are in tiles already, those of hatching in separate ones. Returns the number of dots that
-// are drawn.
+// splats represent. All dots must already be in tiles. The dots of hatching are in separate tiles. Returns the number
+// of dots that are drawn.
 [[nodiscard]] std::int64_t dim_by_layers(const base::Runtime& runtime, const Scene& scene, const HatchTiles& hatching,
                                          DepthLayers& scratch, drawing::Drawing& drawing) {
     const drawing::Tiles& tiles = drawing.dot_tiles;

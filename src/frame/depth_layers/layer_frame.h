@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A drawing by depth layers: ink is dimmed by the layers of surface before it.
+// A drawing by depth layers: ink is dimmed by the layers of surface in front of it.
 //
 // | step | function | makes |
 // | 1 | gather | dots and splats of marks |
@@ -22,8 +22,8 @@ struct DepthLayers {
     explicit DepthLayers(base::Memory& memory) noexcept
         : largest(memory), planes(memory), seen(memory), rays(memory), hits(memory), ray_dots(memory) {}
 
-    // The radius of the largest splat in each tile of the drawing's dots, in pixels. Splats hide ink up to this far
-    // beyond their surface.
+    // The radius of the largest splat in each tile of the drawing's dots, in pixels. At the border of a surface, splats
+    // may extend beyond the surface by up to this radius, and hide ink there.
     base::Array<float> largest;
 
     // Working memory.
@@ -66,7 +66,7 @@ private:
     HatchTiles hatch_tiles_;
     NearerEdges edges_;
     DepthLayers layers_;
-    base::Array<std::int64_t> dot_of_; // for each mark of a run: the number of its dot, or -1 if the mark is not shown
+    base::Array<std::int64_t> dot_of_; // for each mark of a run: the index of its dot, or -1 if the mark is not shown
     LineStrokes joined_;
     base::Array<ReadyStroke> ready_;
     base::Array<std::uint64_t> keys_;

@@ -25,7 +25,7 @@ struct LayerPlanes {
     float largest_splat; // the radius of the largest splat in the planes, in pixels
 };
 
-// A list of splats by their numbers. (left, top) is the first pixel of the planes.
+// A list of splats, given by their indices. (left, top) is the first pixel of the planes.
 struct SplatList {
     const Splat* splats;
     const std::uint32_t* numbers;

@@ -10,8 +10,8 @@ struct LayerTuning {
     // If all marks together cover less than this share of the paper, they are shown as if they covered this share. Dark
     // tones then still differ. Larger: paler pictures where there are few marks.
     float darkest = 0.6F;
-    // Towards the contour, ink of the front fades over this range of n . v, unless coverage already makes it fade.
-    // Larger: a paler rim.
+    // Towards the contour, the ink of front marks fades over this range of n . v, unless coverage already makes it
+    // fade. Larger: a paler rim.
     float front_fade = 0.08F;
 
     // ---- Splats
@@ -44,26 +44,26 @@ struct LayerTuning {
 
     // ---- Layers
 
-    // A layer is beyond another layer that faces the same way if its distance is more than this many radii of its
-    // discs. Larger: close layers count as one.
+    // A layer is separate from a nearer layer that faces the same way if their distance is more than this many radii of
+    // its discs. Larger: close layers count as one.
     float layer_gap = 4.0F;
-    // A layer is beyond a layer that faces the other way if its distance is more than this many pixels. Larger: thin
-    // parts hide less.
+    // Ink or a layer is behind a layer that faces the other way if their distance is more than this many pixels.
+    // Larger: thin parts hide less.
     float side_gap = 1.0F;
-    // Ink is beyond another layer of its item that faces the same way if the distance is more than this many radii of
-    // the splats. Larger: fewer marks are hidden by the layer that they lie on, and more marks show through close
-    // layers.
+    // Ink is behind another layer of its item that faces the same way if the distance between ink and layer is more
+    // than this many radii of the splats. Larger: fewer marks are hidden by the layer that they lie on, and more marks
+    // show through close layers.
     float own_gap = 5.0F;
-    // Discs extend beyond the border of a surface, and could hide a strip of another surface that begins there. So
-    // within `border_gap` radii beyond such a layer, ink is hidden only if the layer continues in all directions for
-    // `border_reach` radii. Larger: less of the strip is hidden, and more marks show through small parts.
+    // Discs extend beyond the border of a surface, and could hide a strip of another surface that begins there. So ink
+    // that is at most `border_gap` radii behind such a layer is hidden only if the layer continues in all directions
+    // for `border_reach` radii. Larger: less of the strip is hidden, and more marks show through small parts.
     float border_gap = 2.0F;
     float border_reach = 1.5F;
 
     // ---- Exact visibility
 
-    // A ray starts this many pixels off the layer that its mark lies on. Larger: fewer marks are hidden by their own
-    // layer, and more show through surfaces that touch it.
+    // A ray starts at this distance, in pixels, from the layer that its mark lies on. Larger: fewer marks are hidden by
+    // their own layer, and more marks show through surfaces that touch this layer.
     double ray_offset = 0.5;
 
     // ---- Progress

@@ -32,7 +32,7 @@ constexpr float most_pieces = 4096.0F;
                           0.0F, 1.0F));
 }
 
-// Returns the share of the way from p at which the way enters the disc around the centre. p is outside the disc.
+// The vector `way` starts at p, which is outside the disc. Returns the share of its length at which it enters the disc.
 [[nodiscard]] float entry_of_disc(const glm::vec2& p, const glm::vec2& way, const glm::vec2& centre,
                                   float radius) noexcept {
     const glm::vec2 from = p - centre;
@@ -42,8 +42,8 @@ constexpr float most_pieces = 4096.0F;
     return half < 0.0F && root >= 0.0F ? (-half - std::sqrt(root)) / square : NearerEdges::nowhere;
 }
 
-// Returns the share of the way from p at which the way enters the strip of points within `radius` of a segment. The
-// strip has a disc at each end.
+// The vector `way` starts at p. Returns the share of its length at which it enters the strip of all points within
+// `radius` of a segment. The strip has a half disc at each end.
 [[nodiscard]] float entry_of_strip(const glm::vec2& p, const glm::vec2& way, const glm::vec2& from, const glm::vec2& to,
                                    float radius) noexcept {
     const glm::vec2 along = to - from;
@@ -143,8 +143,8 @@ void NearerEdges::build(const LineStrokes& lines, std::span<const drawing::Layer
                 edges_.push_back(edge);
         }
     }
-    // Counts are stored two places ahead. Filling moves them back, so that first_[cell] is then the beginning of the
-    // cell.
+    // The count of a cell is stored in first_[cell + 2], and becomes a sum. The loop that fills `numbers_` advances
+    // first_[cell + 1]. So in the end, first_[cell] is the beginning of the cell.
     base::resize_scratch(first_, std::int64_t{columns_} * rows_ + 2);
     std::fill(first_.begin(), first_.end(), 0);
     for (const NearerEdge& edge : edges_) for_cells_of(edge, [&](std::int32_t cell) { ++first_[cell + 2]; });
@@ -247,14 +247,13 @@ struct SeenLine {
     [[nodiscard]] bool may_be_seen(std::int64_t i) const noexcept { return is_near(i, reach_of_splats(i)); }
 };
 
-// Samples from `first` up to, but not including, `end` are hidden. The samples before, from `seen` on, and after, up to
-// `next`, are seen.
+// A range [first, end) of hidden samples, between the seen samples [seen, first) and [end, next).
 struct Gap {
     std::int64_t seen, first, end, next;
 };
 
-// Returns whether the gap is a mistake of splats: they may belong to the line's own surface near a crease. If so, no
-// edge hides the line in the gap.
+// Returns whether splats hide the gap by mistake. Near a crease, they may belong to the line's own surface. The gap is
+// a mistake if it is short or splats may be wrong at all of its samples, and if no edge hides the line in the gap.
 [[nodiscard]] bool is_mistake(const SeenLine& line, const Gap& gap) noexcept {
     const bool is_short = line.length[gap.end - 1] - line.length[gap.first] <= line.reach_of_splats(gap.first);
     for (std::int64_t i = gap.first; i < gap.end; ++i)
@@ -264,8 +263,8 @@ struct Gap {
     return true;
 }
 
-// Finds the cut near sample `last`, the last one that is seen in the direction `way` (1 or -1). The search begins at a
-// sample far from all edges, but not before `first_seen`, and ends at `last_hidden`.
+// Finds the cut near sample `last`, which is the last seen sample before a gap in the direction `way` (1 or -1). The
+// search begins at a sample far from all edges, but not before `first_seen`, and ends at `last_hidden`.
 [[nodiscard]] HatchCut search(const SeenLine& line, std::int64_t last, std::int64_t way, std::int64_t first_seen,
                               std::int64_t last_hidden) noexcept {
     std::int64_t i = last;

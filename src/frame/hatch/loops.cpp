@@ -78,8 +78,9 @@ std::uint32_t may_draw(const HatchBounds& bounds, const float* normals, const fl
     return all;
 }
 
-// The spacing of lines in the picture. It is the height of the image of a parallelogram on the surface, whose sides are
-// along the line and across it. If lines of sight are parallel, it is separation |n . v| / sqrt(1 - (t . v)^2).
+// The spacing of lines in the picture. It is the height of the image of a parallelogram on the surface. The
+// parallelogram has one side along the line and one side across it. If lines of sight are parallel, the spacing is
+// separation |n . v| / sqrt(1 - (t . v)^2).
 HWY_INLINE W spacing_at(const HatchSight& sight, const HatchRows& rows) {
     const F d;
     const ViewTransform& s = *sight.view_transform;
@@ -165,8 +166,8 @@ struct LevelWidths {
 };
 
 // Finds the widths of lines. `spacing` is the spacing of level 0 in the picture, in pixels; the lines of levels 0 to k
-// together are 2^k times as close. `gap` is the factor by which the real distance of lines is larger. It does not
-// affect which levels are drawn.
+// together are 2^k times as close. `gap` is the factor by which the lines around the place are farther apart than
+// `spacing`. The choice of levels does not depend on `gap`.
 HWY_INLINE LevelWidths widths(const HatchWidthLaw& law, W coverage, W spacing, W gap) {
     const F d;
     const I i;
@@ -179,7 +180,8 @@ HWY_INLINE LevelWidths widths(const HatchWidthLaw& law, W coverage, W spacing, W
     const W weight = hn::Sub(w.lambda, w.full); // how far the next level has faded in, from 0 to 1
     const W half = hn::BitCast(d, hn::ShiftLeft<23>(hn::Sub(hn::Set(i, 127), full))); // 2^-full
     const W period = hn::Mul(hn::Mul(gap, spacing), half);
-    // A period holds 1 + weight wide lines. Lines closer together than requested are thinner than the pen.
+    // The ink of a period is shared by one full line and a line of the next level, which counts as `weight` lines.
+    // Lines closer together than requested are thinner than the pen.
     const W lines = hn::Add(one, weight);
     const W ink =
         hn::Min(hn::Mul(coverage, period), hn::Max(hn::Sub(period, hn::Mul(lines, set(law.style->hatch_white))),
@@ -204,7 +206,7 @@ HWY_INLINE void pad_row(float* row, std::int64_t count, bool closed, std::int64_
     }
 }
 
-// Returns the largest element at most two places away.
+// Returns the largest of five elements: row[0], and two elements on either side of it.
 HWY_INLINE W largest_near(const float* row) {
     const F d;
     const auto pair = [&](std::int64_t away)
@@ -212,7 +214,7 @@ HWY_INLINE W largest_near(const float* row) {
     return hn::Max(hn::LoadU(d, row), hn::Max(pair(1), pair(2)));
 }
 
-// Sets the margin of tone, and sets `least` to the least of the margins of tone, rim and picture.
+// Sets the margin of tone, and sets `least_margin` to the smallest of the margins of tone, rim and picture.
 HWY_INLINE void set_least_margin(const HatchWidthLaw& law, const HatchRows& rows) {
     const F d;
     const W tone = hn::Sub(hn::LoadU(d, rows[HatchRow::darkness]), set(law.style->hatch_tone_begin));
@@ -221,12 +223,12 @@ HWY_INLINE void set_least_margin(const HatchWidthLaw& law, const HatchRows& rows
     hn::StoreU(hn::Min(tone, others), d, rows[HatchRow::least_margin]);
 }
 
-// These rows are not used yet. Until soften(), they hold the margin of the level and the width for each mark.
+// These two rows are free until smooth_along() has used them. They hold the margin of the level, and the width, of each
+// mark.
 constexpr HatchRow own_margin = HatchRow::greatest_nearby;
 constexpr HatchRow own_width = HatchRow::distance_before;
 
-// Sets own_margin and own_width for the marks that need them, which `near` gives. They are the same for each
-// instruction set.
+// Sets own_margin and own_width for the marks in the mask `near`. All instruction sets give the same bits.
 HWY_INLINE void set_width(const HatchSight& sight, const HatchWidthLaw& law, const HatchRows& rows, M near) {
     const F d;
     const auto row = [&](HatchRow number) HWY_ATTR { return hn::LoadU(d, rows[number]); };
@@ -278,7 +280,7 @@ void set_widths(const HatchSight& sight, const HatchWidthLaw& law, const HatchRo
     pad_row(rows[HatchRow::least_margin], count, closed, 2, -1.0F);
     for_vectors(count, [&](std::int64_t at) HWY_ATTR {
         const HatchRows own = rows.from(at);
-        // The elements after the last mark are old and must have no effect.
+        // The elements after the last mark are left over from an earlier stroke and must have no effect.
         const M marks = hn::FirstN(d, static_cast<size_t>(count - at < lanes ? count - at : lanes));
         const M near = hn::AndNot(hn::Lt(largest_near(own[HatchRow::least_margin]), hn::Zero(d)), marks);
         if (!hn::AllFalse(d, near)) {

@@ -32,16 +32,16 @@ enum class HatchRow : std::int64_t {
     side_x,
     side_y,
     distance,
-    darkness,        // first n . l, later the darkness
-    width,           // line width in pixels
-    distance_before, // distance from the mark before, in pixels; 0 if one of the two marks has no position in the
-                     // picture
-    tone_margin,     // The line is drawn where none of the four margins is negative.
+    darkness, // first n . l, later the darkness
+    width,    // line width in pixels
+    // distance from the previous mark, in pixels; 0 if one of the two marks has no position in the picture
+    distance_before,
+    tone_margin, // The line is drawn where none of the four margins is negative.
     level_margin,
     rim_margin,
     picture_margin,  // hatch_nowhere if the mark has no position in the picture
     least_margin,    // the smallest of the four margins
-    greatest_nearby, // the largest `least` of the marks at most two places away
+    greatest_nearby, // the largest `least_margin` of the mark and of two marks on either side
     rows
 };
 

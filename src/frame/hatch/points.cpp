@@ -111,8 +111,8 @@ void HatchTiles::build(std::span<HatchPoints::Batch> batches, const drawing::Dra
             runs.back().end = i + 1;
         }
     });
-    // Counts are stored two places ahead. Filling moves them back, so that offsets_[tile] is then the beginning of the
-    // tile.
+    // The count of a tile is stored in offsets_[tile + 2], and becomes a sum. The loop that fills `runs_` advances
+    // offsets_[tile + 1]. So in the end, offsets_[tile] is the beginning of the tile.
     base::resize_scratch(offsets_, tiles.tiles() + 2);
     std::fill(offsets_.begin(), offsets_.end(), 0);
     for (const HatchPoints::Batch& batch : batches)

@@ -35,7 +35,7 @@ struct HatchMark {
     float window, depth;
     float side_x, side_y;  // x and y of the unit normal in eye space
     float width;           // line width in pixels
-    float distance_before; // distance from the mark before, in pixels
+    float distance_before; // distance from the previous mark, in pixels
     std::array<float, hatch_margins> margin;
     float pixels_per_unit;
     float begins_chain; // 1 if the marks just before were left out, so that a new chain begins here; else 0
@@ -61,7 +61,7 @@ struct HatchStroke {
 
     base::Array<HatchMark> mark; // the marks at and near drawn places; in a ring, the last mark repeats the first
     bool ring = false;           // True if the stroke is closed and all of its marks are present.
-    // The row of mark[0]. If no marks were left out, it is the mark's number along the stroke.
+    // The index of mark[0] in the rows. If no marks were left out, it is also the index of the mark along the stroke.
     std::int64_t first_kept = 0;
     StrokeEnd begins = StrokeEnd::open, ends = StrokeEnd::open;
     // whether mark[0] is the stroke's first mark, and whether the last mark is the stroke's last
@@ -69,8 +69,8 @@ struct HatchStroke {
 
     // Working memory.
     base::Array<std::uint32_t> may_draw; // for each piece of the stroke: a bit for each of its marks
-    base::Array<Range> range;            // the positions of the marks that are loaded, in ascending order
-    base::Array<std::uint32_t> number;   // the numbers of the loaded marks in their layer
+    base::Array<Range> range;            // the ranges of positions of the loaded marks, in ascending order
+    base::Array<std::uint32_t> number;   // the indices of the loaded marks in their layer
     base::Array<float> row;              // the memory of HatchRows
     // The stroke's range of positions. If the last mark of a closed stroke coincides with the first, it is left out.
     std::int64_t first = 0, count = 0;
@@ -102,8 +102,8 @@ struct HatchSample {
     std::array<float, 2> unused;
     std::uint32_t id; // the id of the nearest mark
 
-    // Returns the direction across a contour in the picture, if there were a contour at this sample. Its length has no
-    // meaning.
+    // If there were a contour at this sample, returns the direction across the contour in the picture. The vector has
+    // no particular length.
     [[nodiscard]] glm::vec2 across_rim() const noexcept { return {side_x, -side_y}; }
 };
 static_assert(sizeof(HatchSample) == sizeof(HatchMark) &&
@@ -145,7 +145,7 @@ struct HatchSamples {
     }
 };
 
-// The strokes [begin, end) of a run. `piece` is the number of the first piece of stroke `begin`.
+// The strokes [begin, end) of a run. `piece` is the index of the first piece of stroke `begin`.
 struct HatchRange {
     std::int64_t begin = 0, end = 0, piece = 0;
 };
@@ -176,8 +176,8 @@ struct HatchStrokePart {
         : made(memory), length(memory), cuts(memory), row(memory), near(memory), raw(memory) {}
 
     LineStrokes made;
-    std::int64_t seen = 0;              // the number of dots that are seen
-    std::int64_t shown = 0, hidden = 0; // numbers of marks
+    std::int64_t seen = 0;              // how many dots are seen
+    std::int64_t shown = 0, hidden = 0; // the counts of shown and hidden marks
 
     // Working memory.
     base::Array<float> length; // for each sample of a chain: distance from the first one along the line, pixels
@@ -206,7 +206,7 @@ public:
 
         std::int32_t run = 0;
         HatchRange strokes;
-        std::int64_t first_dot = 0; // the number of the batch's first sample among the drawing's dots
+        std::int64_t first_dot = 0; // the index of the batch's first sample among the drawing's dots
         HatchSamples samples;
         HatchStroke stroke;                 // working memory for one stroke
         base::Array<HatchDotRun> tile_runs; // the samples of a stroke, divided into runs within one tile
@@ -217,12 +217,13 @@ public:
         : runtime_(runtime), see_(projection_loops(runtime.instruction_set)),
           loops_(hatch_loops(runtime.instruction_set)), batches_(runtime.memory), taus_(runtime.memory) {}
 
-    // How all other marks of the frame are seen.
+    // The results of gather() that hatching needs.
     struct Input {
         const Scene& scene;
         std::span<const ItemSight> sights; // one element for each item
         const Frustum& frustum;
-        std::span<const float> taus; // the tones from a callback, by the position of the mark
+        // The tones from callbacks, for the marks of all runs, in the order of the clusters' blocks.
+        std::span<const float> taus;
     };
 
     // Adds the samples of all hatching to the drawing, after all other dots. gather() must be called first.
@@ -260,7 +261,7 @@ public:
     // Each point belongs to one tile, found by Tiles::own_extent() of the drawing's dots.
     void build(std::span<HatchPoints::Batch> batches, const drawing::Drawing& drawing);
 
-    // Calls f(number) for the dots of a tile, in ascending order.
+    // Calls f(index) for the dots of a tile, in ascending order of their indices.
     template <class F>
     void for_tile(std::int64_t tile, const F& f) const {
         for (std::int64_t i = offsets_[tile]; i < offsets_[tile + 1]; ++i)

@@ -4,9 +4,11 @@
 //
 // The presence of a line at a sample is 1 where it is drawn, 0 where it is not, and between where it fades. The held
 // length of a sample measures how much of the line holds together around it. It is the length to either side, which
-// counts less where the presence falls below that of the sample, and not at all beyond a place without presence. It
-// changes continuously with the presences. So a gap whose held length is below a limit can be closed, a gap of twice
-// the limit stays open, and a gap in between is half open. The same holds for parts.
+// The presence of a line at a sample is 1 where the line is drawn and 0 where it is not drawn. Where the line fades, it
+// is between 0 and 1. The held length of a sample is the length of the line that is connected with the sample, on both
+// sides. Where the presence is lower than at the sample, length counts less. The held length ends where the presence is
+// 0. It changes continuously with the presences. So a gap whose held length is below a limit can be closed, a gap of
+// twice the limit stays open, and a gap in between is half open. The same holds for parts.
 #pragma once
 
 #include "base/assert.h"
@@ -49,10 +51,10 @@ struct HeldLength {
     std::int64_t stopped_at = -1; // The first sample without presence. -1 if the walk ended for another reason.
 };
 
-// Walks from sample i in one direction until the held length is `most`, or nothing holds together any more.
-// `presence(i)` is the presence, and `weight(i)` the factor by which a length there counts. `end_share(j, k)` is the
-// share of the way from j, which is present, to k, which is not, at which the presence ends. The way beyond the line's
-// end counts as `beyond`.
+// Walks from sample i in one direction, until the held length is `most`, the presence is 0, or the line ends.
+// `presence(k)` is the presence at sample k, and length near sample k is multiplied by `weight(k)`. If the line is
+// present at sample j but not at its neighbour k, the presence ends at the share `end_share(j, k)` of the way from j to
+// k. If the line ends, the length `beyond` is added.
 template <class Presence, class Weight, class EndShare>
 [[nodiscard]] HeldLength held_length(const SampledLine& line, std::int64_t i, int way, float most, float beyond,
                                      const Presence& presence, const Weight& weight,

@@ -59,15 +59,14 @@ struct RunSight {
     const ItemSight& sight;
     const LayerStyle& style;
     const float* taus;
-    std::int32_t levels;      // the number of the finest level
+    std::int32_t levels;      // the index of the finest level
     double per_unit;          // 1 / the item's unit, a power of two
     const float* tone_normal; // The normals that bound the light: the normals of the marks, or their normals for tone.
     bool has_bounds;          // true if marks can be skipped by their normals
-    // True for an unsteady hand. A wobble needs the numbers of all marks, and an overshoot continues beyond the end of
-    // the tone.
-    bool is_unsteady; // the hand is unsteady: it needs the numbers of all marks, and runs past the end of the
-                      // tone
-    float beyond;     // the width of the strip around the picture in which lines may end unseen, in pixels
+    // True if the hand is unsteady. Then all marks are loaded: a wobble needs their indices along the stroke, and an
+    // overshoot continues beyond the end of the tone.
+    bool is_unsteady;
+    float beyond; // the width of the strip around the picture in which lines may end unseen, in pixels
     HatchWidthLaw law{};
     // Marks whose n . l is larger than this are too light to be drawn.
     float lightest = std::numeric_limits<float>::infinity();
@@ -206,8 +205,8 @@ bool find_drawn_pieces(const RunSight& v, std::int64_t piece, std::int64_t count
             base::prefetch_many(v.run.marks->tone_normal.data() + 3 * std::int64_t{own.first},
                                 3 * std::int64_t{own.count});
     }
-    // A wobble needs the numbers of all marks, and an overshoot needs marks beyond the end of the tone, so all marks
-    // are loaded.
+    // A wobble needs the indices of all marks along the stroke, and an overshoot needs marks beyond the end of the
+    // tone, so all marks are loaded.
     if (any && v.is_unsteady) std::fill(seen.may_draw.begin(), seen.may_draw.end(), all);
     return any;
 }
@@ -483,8 +482,8 @@ void set_ends(const RunSight& v, HatchStroke& seen) noexcept {
     if (seen.has_end) seen.ends = end_at(last, last - 1);
 }
 
-// Fills `seen` with the marks of a stroke. `piece` is the number of its first piece. Returns whether any part of the
-// stroke may be drawn.
+// Fills `seen` with the marks of a stroke. `piece` is the index of the stroke's first piece. Returns whether any part
+// of the stroke may be drawn.
 bool see_stroke(const RunSight& v, std::int64_t stroke, std::int64_t piece, HatchStroke& seen) {
     const marks::Layer& layer = *v.run.marks;
     const std::int64_t first = layer.stroke_first[stroke];
@@ -520,13 +519,13 @@ bool see_stroke(const RunSight& v, std::int64_t stroke, std::int64_t piece, Hatc
 // depend on other chains.
 constexpr float length_steps = 1024.0F;
 
-// An unsteady hand: the line wobbles to the side, and continues beyond the end of its tone. Both are smooth noise as a
-// function of the mark's number, so the noise stays in place on the surface from frame to frame. As the eye comes
-// nearer, swings of half the length replace the old ones, so that the length of swings in the picture stays about the
-// same.
+// An unsteady hand: the line wobbles to the side, and continues beyond the end of its tone. Both are smooth noise. It
+// is a function of the mark's index along the stroke, so it stays in place on the surface from frame to frame. As the
+// eye comes nearer, noise of half the wavelength replaces the old noise, so that the wavelength in the picture stays
+// about the same.
 struct HatchHand {
     float wobble, overshoot;        // in pixels
-    double wobble_level, end_level; // log2 of the length of a swing, in marks
+    double wobble_level, end_level; // log2 of the wavelength of the noise, in marks
     std::uint64_t seed, stroke;
     std::int64_t around; // for a closed stroke, the number of marks after which the noise repeats; else 0
 };
@@ -548,8 +547,9 @@ struct HatchHand {
             around};
 }
 
-// Returns noise in [-1, 1] at a position along the stroke. It blends two uniform cubic B-splines of random numbers,
-// whose swings are next to the wanted length. Around a closed stroke, each spline has a whole number of knots.
+// Returns noise in [-1, 1] at a position along the stroke. `wanted` is log2 of the wavelength, in marks. The noise
+// blends two uniform cubic B-splines of random numbers, whose wavelengths are the next powers of two below and above.
+// Around a closed stroke, each spline has a whole number of knots.
 [[nodiscard]] double noise(const HatchHand& hand, double mark, double wanted, std::size_t which) noexcept {
     const auto octave = [&](int level) {
         double between = std::ldexp(1.0, level) / hatch_tuning.knots_of_swing;
@@ -595,7 +595,7 @@ struct Marks {
     }
 };
 
-// A position between the mark with the number `mark` and the next one.
+// A position between the mark with the index `mark` and the next mark.
 struct MarkPlace {
     std::int64_t mark;
     float share; // the share of the way to the next mark
@@ -700,7 +700,7 @@ constexpr std::array<float, hatch_margins> ramps = {hatch_tuning.tone_ramp, hatc
 static_assert(margin_tone == 0 && margin_level == 1 && margin_rim == 2);
 
 // Bits of a mark's state. The lower bits tell which margins are below 0, and the bits from `below_ramp` on tell which
-// are below their ramps. Neighbours usually have the same bits; the presence then does not turn between them.
+// are below their ramps. If two neighbours have the same bits, as most do, no margin passes 0 or its ramp between them.
 constexpr unsigned below_ramp = hatch_margins;
 
 [[nodiscard]] std::uint8_t state_of(const HatchMark& mark) noexcept {
@@ -738,8 +738,8 @@ struct MarginCrossings {
     }
 };
 
-// Finds the positions between mark i and the next one at which the line's presence turns: a margin changes its sign, or
-// begins to fade.
+// Finds the positions between mark i and the next mark at which a margin passes 0 or its ramp. The line begins or ends
+// there, or begins to fade.
 [[nodiscard]] MarginCrossings crossings_after(const Marks& m, std::int64_t i) noexcept {
     MarginCrossings turns;
     if (!m[i].is_valid() || !m[i + 1].is_valid()) return turns;
@@ -756,8 +756,8 @@ struct MarginCrossings {
     return turns;
 }
 
-// Finds the positions at which the line is sampled, as lengths from the chain's first mark: at even steps, where its
-// presence turns, and where it is weakest.
+// Finds the positions at which the line is sampled, as lengths from the chain's first mark. They are at even steps,
+// where a margin passes 0 or its ramp, and where the line is weakest.
 void place_samples(const Marks& m, std::int64_t steps, HatchSamples& to) {
     const float whole = m.length[m.size() - 1];
     to.at.clear();
@@ -804,7 +804,7 @@ void place_samples(const Marks& m, std::int64_t steps, HatchSamples& to) {
     }
 }
 
-// Adds the samples of a chain. `first_mark` is the number along the stroke of the chain's first mark.
+// Adds the samples of a chain. `first_mark` is the index along the stroke of the chain's first mark.
 void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark, HatchSamples& to) {
     const float whole = m.length[m.size() - 1];
     const auto steps = std::max<std::int64_t>(static_cast<std::int64_t>(std::ceil(whole / hatch_tuning.step)), 1);
@@ -845,7 +845,7 @@ void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark
     }
 }
 
-// Appends the chains of the stroke with the number `number`.
+// Appends the chains of a stroke. `number` is the index of the stroke.
 void sample_stroke(const LayerStyle& style, std::int64_t number, const HatchStroke& stroke, HatchSamples& to) {
     const std::span<const HatchMark> marks = stroke.mark.span();
     std::size_t end = 0;

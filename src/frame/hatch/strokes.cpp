@@ -166,8 +166,8 @@ private:
         }
     }
 
-    // Returns the share of the way from sample j to its neighbour k at which the line ends for a reason. By this
-    // reason, the line is drawn at j but not at k.
+    // The line is drawn at sample j. For the given reason, it is not drawn at the neighbour k. Returns the share of the
+    // way from j to k at which the line ends.
     [[nodiscard]] float end_share(Presence reason, std::int64_t j, std::int64_t k) const noexcept {
         if (reason == by_hiding) {
             const std::int64_t before = std::min(j, k);
@@ -187,7 +187,7 @@ private:
         const float to = sample(k).margin[reason];
         return from > 0.0F && to < 0.0F ? from / (from - to) : from > 0.0F ? 1.0F : 0.0F;
     }
-    // Returns the smallest share over all reasons.
+    // Returns the smallest share of the way from j to k at which the line ends for any reason.
     [[nodiscard]] float end_share(std::int64_t j, std::int64_t k) const noexcept {
         float share = 1.0F;
         for (const Presence reason : {by_tone, by_level, by_rim, by_picture, by_hiding})
@@ -204,15 +204,15 @@ private:
     }
     static float unit_weight(std::int64_t) noexcept { return 1.0F; }
 
-    // Closes gaps that a reason makes, if they are shorter than limit(i).first. Gaps shorter than limit(i).second are
-    // partly open, so that gaps do not open suddenly.
+    // Closes the gaps of a presence that are shorter than limit(i).first at a sample i. Gaps shorter than
+    // limit(i).second are partly open, so that gaps do not open suddenly.
     template <class Limit>
     void close_gaps(Presence reason, const Limit& limit) {
         float* const p = row(reason);
         float* const closed = row(scratch);
         std::copy_n(p, size(), closed);
         const auto absence = [&](std::int64_t k) { return p[k] > 0.0F ? 0.0F : 1.0F; };
-        // The gap begins at the end of the line.
+        // A gap begins where the line ends, so its share of the step is the rest of the step.
         const auto share = [&](std::int64_t j, std::int64_t k) { return 1.0F - end_share(reason, k, j); };
         for (std::int64_t i = 0; i < size(); ++i) {
             if (p[i] > 0.0F) continue;
@@ -250,9 +250,9 @@ private:
         return std::min(tone, row(by_hiding)[i]);
     }
 
-    // Leaves out short parts. Where a part is thinner than at the sample, its length counts less, because connecting it
-    // by a hairline hardly matters. Above half a pen, all widths count the same. Lines with hardly any space between
-    // others count less, too.
+    // Leaves out short parts. For each sample, the length of the part around it is measured. Where the line is thinner
+    // than at the sample, length counts less, because a connection by a hairline hardly matters. All widths above half
+    // a pen count the same. Lines with hardly any space between others count less, too.
     void leave_out_short() {
         const float shortest = style_.hatch_shortest;
         float* const p = row(total);
@@ -274,7 +274,7 @@ private:
         const auto share = [&](std::int64_t j, std::int64_t k) { return 0.5F * end_share(j, k); };
         const float most = 2.0F * shortest;
         const auto is_solid = [&](std::int64_t k) { return p[k] == 1.0F && width[k] == full && level[k] == 1.0F; };
-        std::int64_t solid = 0; // the end of the last stretch that is long enough without others
+        std::int64_t solid = 0; // the end of the last stretch that is long enough on its own
         for (std::int64_t i = 0; i < size(); ++i) {
             if (i >= solid && is_solid(i)) {
                 std::int64_t last = i;
@@ -306,8 +306,8 @@ private:
 
     // ---- Tapers
 
-    // Returns the length of the taper at an end of the line. The line runs in the direction `way`, and ends before
-    // sample k for the given reason.
+    // Returns the length of the taper at an end of the line. If the line is followed in the direction `way`, it ends
+    // before sample k for the given reason.
     [[nodiscard]] float taper(Presence reason, std::int64_t k, int way) const noexcept {
         if (reason == by_picture) return 0.0F;
         const float longest = longest_taper(reason);
@@ -316,8 +316,8 @@ private:
                (1.0F - ramp_between(sine_at_rim(k, way), hatch_tuning.parallel_sine, hatch_tuning.crossing_sine));
     }
 
-    // Returns the sine of the angle between a contour at sample k and the last part of a line in the direction `way`,
-    // which ends there.
+    // Returns the sine of the angle between a contour at sample k and the last part of a line. If the line is followed
+    // in the direction `way`, it ends at sample k.
     [[nodiscard]] float sine_at_rim(std::int64_t k, int way) const noexcept {
         std::int64_t i = k;
         float length = 0.0F;

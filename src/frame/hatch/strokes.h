@@ -4,9 +4,9 @@
 // 1. Each reason for a line to end has a presence along the line (presence.h): its tone, its level, the rim, the
 //    picture, and surfaces that hide it. Hidden parts begin and end exactly at the edges that hide them (hiding.cpp).
 // 2. Short gaps of tone and short hidden gaps are closed.
-// 3. The line is present where all of these are. Parts with too little ink are left out.
-// 4. The line is as wide as its samples times its presence. It narrows towards each end as the reason for the end
-//    asks.
+// 3. The line is present where all of these presences are above 0. Parts with too little ink are left out.
+// 4. The width of the line is the width of its samples times its presence. The reason for an end determines how the
+//    line narrows towards it.
 #pragma once
 
 #include "frame/hatch/points.h"
@@ -21,11 +21,11 @@ namespace hrbfnpr::frame {
 //
 // 1. Depth layers say of each sample whether it is seen. They are made of splats, so they are right to the radius of
 //    a splat.
-// 2. `NearerEdges` holds the lines of the picture that nothing hides: the contours and creases of surfaces before the
-//    hatching.
+// 2. `NearerEdges` holds the lines of the picture that nothing hides: the contours and creases of surfaces in front
+//    of the hatching.
 // 3. `find_cuts` moves each place where a line begins or ends to the edge, or to the border of the edge's halo.
 
-// A segment of a visible line, which may hide hatching beyond it.
+// A segment of a visible line, which may hide hatching behind it.
 struct NearerEdge {
     glm::vec2 a, b;
     float depth_a, depth_b;
@@ -46,12 +46,12 @@ public:
     [[nodiscard]] bool is_near(const drawing::Dot& dot, float reach, float halo) const noexcept;
 
     static constexpr float nowhere = std::numeric_limits<float>::infinity();
-    // Returns the share of the way from a to b at which the line reaches the first edge before it or the edge's halo,
-    // or `nowhere`. Edges whose halo contains a are ignored.
+    // Returns the share of the way from a to b at which the line first reaches an edge in front of it, or the halo of
+    // such an edge. Returns `nowhere` if it reaches none. Edges whose halo contains a are ignored.
     [[nodiscard]] float entry(const drawing::Dot& a, const drawing::Dot& b, float halo) const noexcept;
 
     // Returns the largest radius, up to `radius`, of a line through the point in the direction `along`. The line must
-    // cover no edge before it, no halo of such an edge, and no crease of the point's surface.
+    // cover no edge in front of it, no halo of such an edge, and no crease of the point's surface.
     [[nodiscard]] float clear_width(const drawing::StrokePoint& point, const glm::vec2& along, float radius,
                                     float halo) const noexcept;
 
@@ -69,7 +69,7 @@ private:
     std::int32_t columns_ = 0, rows_ = 0;
     base::Array<NearerEdge> edges_;
     base::Array<std::int32_t> first_;   // for each cell: the index in `numbers_` where its edges begin; and the end
-    base::Array<std::int32_t> numbers_; // the numbers of the edges in each cell, cell by cell
+    base::Array<std::int32_t> numbers_; // the indices of the edges in each cell, cell by cell
 };
 
 struct Hiding {

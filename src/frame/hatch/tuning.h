@@ -20,7 +20,7 @@ struct HatchTuning {
     // a steeper change at the end.
     float nearly_full = 0.6F;
 
-    // ---- Where a line is drawn
+    // ---- The ends of lines
 
     // Lines end where n . v rises above this, just before the contour. Nearer 0: lines end closer to the contour, where
     // they merge.
@@ -28,8 +28,8 @@ struct HatchTuning {
     // Marks with n . v above this have no width. Larger: more marks are processed.
     float widest_nu = 0.2F;
     // The presence of a line (presence.h) is 1 where the line is darker, by at least this, than the tone at which lines
-    // begin. Where the line is less dark, its presence falls towards 0, and the parts of the line on either side hold
-    // together less. Larger: ends are softer where the tone changes slowly.
+    // begin. Where the line is less dark, its presence falls towards 0, and the parts of the line on either side are
+    // less connected. Larger: ends are softer where the tone changes slowly.
     float tone_ramp = 0.03F;
     // A line fades if the margin of its level is below this. Larger: levels with hardly any space change more of the
     // lines beside them.
@@ -40,8 +40,8 @@ struct HatchTuning {
 
     // ---- Gaps and short parts
 
-    // Gaps shorter than half of this are closed, in line widths. From there up to this, they open gradually. Larger:
-    // fewer and longer lines.
+    // Gaps shorter than half of this are closed. Longer gaps open gradually, and are fully open at this length. In line
+    // widths. Larger: fewer and longer lines.
     float least_gap = 2.0F;
     // `least_gap` is never less than this, in pixels, however thin the line is. Larger: lines cross small spots of
     // light.
@@ -62,16 +62,17 @@ struct HatchTuning {
 
     // ---- Tapers
 
-    // The end of a line is this share of `hatch_taper` long if the stroke or the level ends there, or at a contour
-    // beside the line. Larger: softer ends.
+    // The taper at the end of a line is this share of `hatch_taper` long if the stroke or the level ends there, or if
+    // the line ends at a contour that is nearly parallel to it. Larger: softer ends.
     float blunt_taper = 0.35F;
     // At a crease, the end of a line is rounded over this many widths, because the face is dark up to its edge. Larger:
     // pointed ends at creases.
     float round_tip = 0.5F;
     // Where a line becomes hidden, it narrows over this many pixels. Larger: softer ends at contours.
     float hidden_taper = 2.0F;
-    // If the sine of the angle between a line and a contour is at least `crosses`, the line continues under the
-    // contour. If it is at most `parallel_sine`, the line narrows before it. Larger: more lines narrow.
+    // If the sine of the angle between a line and a contour is at least `crossing_sine`, the line keeps its width up to
+    // the contour. If the sine is at most `parallel_sine`, the line narrows towards the contour. Larger: more lines
+    // narrow.
     float crossing_sine = 0.5F;
     float parallel_sine = 0.25F;
     // The angle between a line and a contour is measured over this share of `hatch_taper`, because every line becomes
@@ -90,18 +91,19 @@ struct HatchTuning {
     // If fewer marks than this lie between two ranges that may be drawn, they are loaded, too. Larger: fewer ranges,
     // more marks.
     std::int64_t fewest_left_out = 16;
-    // Between marks closer than this, in pixels, a line is straight. It leaves the curve by at most an eighth of that.
-    // Larger: corners show.
+    // Between marks closer than this, in pixels, a line is straight. It is at most an eighth of this distance away from
+    // the curve. Larger: corners show.
     float shortest_curve = 1.0F;
     // The least distance between samples, in pixels. Larger: ends are less exact.
     float least_step = 1.0F / 64.0F;
     // Within this distance from a tip, in pixels, extra points replace the samples. They follow the square root of the
-    // width near the tip. Larger: less of the samples' own widths.
+    // width near the tip. Larger: fewer of the samples' own widths are used.
     float tip_reach = 2.5F;
     // At most this many consecutive points are left out. Larger: opacities and ids are less exact.
     std::int64_t most_left_out = 6;
-    // A point is left out if its distance from the line between its neighbours is below `straight`, and the difference
-    // of its radius is below `radius_tolerance`, in pixels. Larger: fewer points, corners show.
+    // A point is left out if its distance from the line between its neighbours is below `place_tolerance`, and its
+    // radius differs from the interpolated radius by less than `radius_tolerance`. Both are in pixels. Larger: fewer
+    // points, corners show.
     float place_tolerance = 0.05F;
     float radius_tolerance = 0.006F;
 
@@ -118,30 +120,31 @@ struct HatchTuning {
 
     // ---- An unsteady hand
 
-    // The length of a swing of the noise: `wobble_swing` is for the wobble, in pens, and `end_swing` for the ends of
-    // strokes, in lengths of the longest overshoot. Larger: calmer.
+    // The wavelength of the noise. `wobble_swing` is for the wobble, in pens. `end_swing` is for the ends of strokes,
+    // as a multiple of the longest overshoot. Larger: calmer.
     float wobble_swing = 60.0F;
     float end_swing = 4.0F;
-    // The noise has this many knots in a swing, and at least `fewest_knots` around a closed stroke. Larger: rounder,
-    // slower.
+    // The noise has this many knots in a wavelength, and at least `fewest_knots` around a closed stroke. Larger:
+    // rounder, slower.
     double knots_of_swing = 3.0;
     double fewest_knots = 4.0;
 
     // ---- Edges that hide lines
 
-    // An edge is before a line if it is nearer to the eye by more than this, in pixels. Larger: creases of the line's
-    // own surface hide less, and so do surfaces just before it.
+    // An edge is in front of a line if it is nearer to the eye by more than this, in pixels. Larger: creases of the
+    // line's own surface hide less, and so do surfaces just in front of it.
     float least_depth_gap = 1.0F;
     // An edge has its full halo if it is nearer than the line by this many times `halo_gap`. Larger: halos grow more
     // slowly.
     float full_halo = 3.0F;
-    // If the halo has no width, a line ends this far before an edge, in pixels.
+    // If the halo of an edge has no width, a line ends at this distance from the edge, in pixels.
     float edge_gap = 0.05F;
-    // Halos up to this width, in pixels, are exact. Wider halos stay as depth layers made them. Larger: slower.
+    // The borders of halos up to this width, in pixels, are found exactly. Wider halos stay as the depth layers made
+    // them. Larger: slower.
     float widest_halo = 32.0F;
     // If an extended line crosses an edge within this distance, in pixels, the depths are compared at the crossing.
-    // Otherwise, surfaces may be as steep as `steepest`, in depth over pixels. Larger: fewer edges before a slanted
-    // surface.
+    // Otherwise the comparison allows for a surface as steep as `steepest_slope`: depth per distance in the picture.
+    // Larger: fewer edges count as in front of a slanted surface.
     float farthest_crossing = 24.0F;
     float steepest_slope = 6.0F;
     // If the cosine of the angle between a line and an edge is at most `across_cosine`, the line has a blunt end there.

@@ -6,10 +6,10 @@
 //    with those of the last frame where the camera moved little), its creases that are contours (add_contour_creases)
 //    and its border (add_border) become subjects even if they are not drawn, since they hide other lines. Then the
 //    subjects of each style of lines are found or made (add_style), and the style gets a layer.
-// 3. find_invisibility and find_hidden_by count the sheets before the lines.
+// 3. find_invisibility and find_hidden_by count the sheets in front of the lines.
 // 4. number_lines gives lines the numbers that they had in the last frame. Points of each line vote for the line of the
-//    last frame that has the nearest point with the same direction (count_votes). Lines with most points in common are
-//    one line.
+//    last frame that has the nearest point with the same direction (count_votes). Pairs of lines with the most votes
+//    are matched first.
 // 5. add_strokes makes the strokes.
 #include "frame/lines/line_frame.h"
 
@@ -52,12 +52,12 @@ void add_counts(const visibility::Invisibility& found, const TracedLines& traced
     counts.tangles = found.report.crossings.tangles;
 }
 
-// An item with lines, and the numbers of its subjects. Its contours begin at `contours`, its creases that are contours
-// are at `folds`, and its border is from `border` to `end`.
+// An item with lines, and the indices of its subjects. `contours` is the index of the first contour. `folds` is the
+// index of the creases that are contours. The border has the indices from `border` to `end`.
 struct LineSource {
     const Item& item;
     curves::View view;
-    std::int32_t number; // the source's number among the occluders
+    std::int32_t number; // the source's index among the occluders
     bool mirrored;
     std::int32_t contours, border, end;
     std::int32_t folds = -1; // -1 if no crease of the item is a contour

@@ -28,7 +28,7 @@ struct TracedLines {
 
     base::Array<visibility::Subject> subjects;
     base::Array<visibility::Occluder> occluders;
-    base::Array<std::int32_t> items; // for each occluder: the number of its item in the drawing
+    base::Array<std::int32_t> items; // for each occluder: the index of its item in the drawing
     base::Array<DrawnSubject> styles;
     // The number of contours that end inside the surface, plus the number of places where a contour was missed.
     std::int64_t broken = 0;

@@ -2,10 +2,10 @@
 // Makes strokes of lines. At each point of a curve, the factors of depth and light (point_factors) are multiplied by
 // that of curvature (add_curvature), which is smoothed along the image (smooth_along). The outline has a factor of its
 // own, which fades out along the line beyond the outline's ends (outline_factor_at). Intervals of a line that look
-// alike form a part (parts_of), which includes hidden intervals that hug a visible contour (find_hugging); some ends go
-// on as other lines (find_joined). A part has places, which are the points of its polyline (places_of), and knots
-// between them where its width or wobble changes along a chord (knots_of). It is drawn whole, as dashes, or where it is
-// strong enough (draw), as strokes of points with their widths (add_stroke), which a wobble moves across the line
+// alike form a part (parts_of), which includes hidden intervals close beside a visible contour (find_hugging); some
+// lines continue as other lines (find_joined). A part has places, which are the points of its polyline (places_of), and
+// knots between them where its width or wobble changes along a chord (knots_of). It is drawn whole, as dashes, or where
+// it is strong enough (draw), as strokes of points with their widths (add_stroke), which a wobble moves across the line
 // (Wobble).
 #include "base/assert.h"
 #include "base/random.h"
@@ -265,7 +265,8 @@ double longest_chord(const DrawnSubject& drawn) noexcept {
                                      : std::numeric_limits<double>::infinity();
 }
 
-// Returns the factor of the width at a place along a line, without the factors of its points.
+// Returns the factor by which the outline changes the width at a place along a line. The factors of the line's points
+// are not included.
 double outline_factor_at(const StrokeInput& in, const DrawnSubject& drawn, std::int32_t line, double at) noexcept {
     if (!has_outline_factor(drawn)) return 1.0;
     const std::span<const visibility::OutlinePart> parts = outline_of(in.outline, line);
@@ -354,7 +355,7 @@ Wobble wobble_of(const StrokeInput& in, const DrawnSubject& drawn, std::int32_t 
 
 // ---- Parts
 
-// Returns whether a place of the image is near a place in a grid, other than the place with the number `but`.
+// Returns whether a place of the image is near a place in a grid. The place with the index `except` is ignored.
 bool is_near(const geometry::PointGrid& grid, const geometry::VecArray& places, const glm::dvec2& place, double radius,
              std::int64_t except) {
     bool found = false;
@@ -419,9 +420,10 @@ base::Array<std::uint8_t> find_hugging(base::Memory& memory, const LineInput& in
     return hugs;
 }
 
-// Returns two numbers for each line, for its start and its end. A number is 1 if an open line of a `joined` subject
-// continues there as another line, or is hidden there. A contour may come out of a crease too weak to be drawn, and
-// turn back at the crease that it hides. It then begins like a contour at a cusp.
+// Returns two flags for each line, for its start and its end. A flag is 0 if a visible contour of a `joined` subject
+// begins or ends freely there: no other visible line of these subjects has an end nearby. In all other cases it is 1. A
+// line that is too faint to be drawn does not count as visible, so a contour that begins at a faint crease begins
+// freely, as at a cusp.
 base::Array<std::uint8_t> find_joined(base::Memory& memory, const LineInput& in, const base::Array<std::uint8_t>& hugs,
                                       double width) {
     const base::Array<visibility::Interval>& intervals = in.found.intervals;
@@ -648,7 +650,8 @@ void wobble(const StrokeInput& in, const PartPath& path, bool closed, const base
 }
 
 // Adds a stroke along a part, between two distances along its line. Free ends taper by half an ellipse. A short part
-// with a free end, for example between a cusp and a nearby line, is made thinner, because it would look like a bead.
+// with a free end, for example between a cusp and a nearby line, is made thinner, because at full width it would look
+// like a dot.
 void add_stroke(const StrokeInput& in, const PartPath& path, double from, double to, LineStrokes& out) {
     const DrawnSubject& drawn = path.drawn;
     const LinePart& part = path.part;

@@ -52,17 +52,17 @@ struct LineTuning {
     // A visible part between hidden parts is left out if it is shorter than this many widths. Larger: fewer dots.
     double shortest_dot = 0.5;
     // A hidden part of a contour is drawn under two conditions: it is shorter than `longest_hugging` widths of the
-    // widest lines, and everywhere within `beside` widths of a visible contour, tested every `beside` widths. Fitted
-    // faces are not quite flat: seen edge-on, bulges a tenth of a pixel high hide some of their edges. Larger: more
-    // hidden parts are drawn.
+    // widest lines, and everywhere within `hugging_distance` widths of a visible contour. This is tested at steps of
+    // `hugging_distance` widths. Fitted faces are not quite flat: seen edge-on, bulges a tenth of a pixel high hide
+    // some of their edges. Larger: more hidden parts are drawn.
     double longest_hugging = 5.0;
     double hugging_distance = 0.3;
     // Ends of lines closer than this many widths are one end. Close ends occur where two sheets nearly coincide.
     double same_end_distance = 0.4;
     // A line with less opacity than this does not continue another line.
     float least_opacity = 0.5F;
-    // A line that runs into a nearer line joins it. But if the sine of their angle is above `joins`, it ends before
-    // that line. From the sine `full_gap_sine` on, it leaves the full gap.
+    // A line that runs into a nearer line continues up to it. But if the sine of the angle between the lines is above
+    // `joining_sine`, the line leaves a gap. The gap grows with the sine, and is full from `full_gap_sine` on.
     double joining_sine = 0.35;
     double full_gap_sine = 0.6;
 
@@ -76,13 +76,14 @@ struct LineTuning {
     double steps_a_knot = 4.0;
     // Curvatures are smoothed along a line over this many widths. Larger: widths change more slowly.
     double smooth_widths = 8.0;
-    // The number of random numbers of a wobble in each `wobble_length` of the style. Larger: a more nervous hand.
+    // The number of random numbers of a wobble in each `wobble_length` of the style, which is its wavelength. Larger: a
+    // more nervous hand.
     double knots_a_swing = 3.0;
     // The least number of random numbers around a closed line.
     double fewest_knots = 4.0;
     // The least distance between points along a wobble, in pixels.
     double shortest_step = 0.5;
-    // The largest number of a knot. A line that passes beside the eye may be immensely long.
+    // The largest index of a knot of a wobble. A line that passes beside the eye may be immensely long.
     double farthest_knot = 1e15;
     // Points for wobbles and fades are made in the window, and up to this many steps outside it.
     double steps_beside = 16.0;

@@ -3,7 +3,7 @@
 // Dots, hatching, lines and published marks all use these functions.                                        [NPAR 6.2]
 //
 // 1. lit: n . l of a normal; projection_loops.cpp has a version for vectors.
-// 2. LightTone: tau of n . l, and a bound by which clusters are passed over.
+// 2. LightTone: tau of n . l, and a bound by which clusters are skipped.
 // 3. DepthTone, zoom_scale: the share of the marks that is left at a distance and a zoom.
 // 4. front_verdict, silhouette_shown: whether a mark is drawn.
 // 5. front_alpha, back_alpha, layer_transmittance: how much marks and layers hide.
@@ -106,7 +106,7 @@ struct ToneTerms {
     float tau = 0.0F;       // the tone by light
     float tau_depth = 1.0F; // the tone by distance
     float scale = 1.0F;     // the share of the marks that is shown at this zoom
-    float share = 1.0F;     // the share of the group's marks that may be used at all
+    float share = 1.0F;     // the share of the layer's marks that may be used at all
 };
 
 // Returns whether a mark with the rank `u` is shown. Three tests follow each other: share and light, zoom, and depth.
@@ -157,7 +157,7 @@ struct ToneTerms {
     return -std::expm1(std::log1p(-alpha) * layers / overlap);
 }
 
-// Returns the transmittance of an item's layer. Ink that a solid hides is beyond two layers: one faces the eye and one
+// Returns the transmittance of an item's layer. Ink that a solid hides is behind two layers: one faces the eye and one
 // faces away. A surface drawn on both sides may be a single layer, so it hides as much as two.
 [[nodiscard]] inline float layer_transmittance(const Style& style, float nu, bool both_sides) noexcept {
     if (style.hidden_lines == HiddenLines::show) return 1.0F;
@@ -174,9 +174,9 @@ struct ToneTerms {
     return transmittance;
 }
 
-// The number of bits of an item's number that are stored in the lowest bits of a transmittance. The change is too small
-// to show in a pixel. Separate planes for items would take as much time as planes of depths. Items with the same bits
-// count as one item.
+// A mask for the bits of an item's index that are stored in the lowest bits of a transmittance. The change of the
+// transmittance is too small to show in a pixel. Separate planes for items would take as much time as planes of depths.
+// Items with the same bits count as one item.
 inline constexpr std::uint32_t item_bits = 15;
 [[nodiscard]] inline std::uint32_t bits_of_item(std::int32_t item) noexcept {
     return static_cast<std::uint32_t>(item) & item_bits;
@@ -196,7 +196,7 @@ inline constexpr std::uint32_t item_bits = 15;
 
 // ---- The order of painting, as published
 
-// Returns how far beyond its mark a front mark's disc of paper is painted, in eye units. It must be beyond all ink of
+// Returns how far behind a front mark its disc of paper is painted, in eye units. The disc must be behind all ink of
 // the mark's layer. Within the disc's radius R, a sphere of any size that faces the eye at the angle theta is at most R
 // (1 + sin(theta)) / cos(theta) deeper. This bound holds for a plane (R tan(theta)), and for a sphere so small that its
 // contour is just within R.
@@ -205,8 +205,9 @@ inline constexpr std::uint32_t item_bits = 15;
     return radius / pixels_per_unit * (1.0F + std::sqrt(1.0F - cosine * cosine)) / cosine;
 }
 
-// Returns how far beyond its mark a back mark's disc of paper is painted, in eye units. The disc must not cover the ink
-// of the contour, where its layer turns to the front. The contour is nearer to the eye, so a small slack is enough.
+// Returns how far behind a back mark its disc of paper is painted, in eye units. The disc must not cover the ink of the
+// contour, where the layer of the mark turns towards the eye. The contour is nearer to the eye than the mark, so a
+// small distance is enough.
 [[nodiscard]] inline float back_push(float radius, float pixels_per_unit) noexcept { return radius / pixels_per_unit; }
 
 } // namespace hrbfnpr::frame

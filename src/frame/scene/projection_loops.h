@@ -56,7 +56,7 @@ struct ProjectedMarks {
     float nu[most];                   // n . v
     float lit[most];                  // n . l
     float side_x[most], side_y[most]; // x and y of the unit normal in eye space
-    float along[most];                // how far a unit step along v goes in the viewing direction
+    float along[most];                // the component, along the viewing direction, of the unit vector v
     // Distance from the centre of projection in eye units; with parallel lines of sight, the depth.
     float distance[most];
 };
@@ -75,7 +75,7 @@ struct Selection {
     const float* needed; // ink per area needed for each coverage k / needed_steps, k from 0 to needed_steps
     float per_ink, share, fade_factor, scale;
     float fade;         // 0: a mark is shown in full or not at all
-    float vanishing_nu; // > 0: ink vanishes where |nu| falls below it
+    float vanishing_nu; // > 0: ink fades where |nu| is below this value
 };
 inline constexpr int needed_steps = 64;
 

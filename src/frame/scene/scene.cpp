@@ -4,7 +4,8 @@
 // 1. unit_camera: the camera in a unit in which floats hold the items' squares and cubes
 // 2. view_of: the matrices of each item
 // 3. note_layers: the ids of the marks of all layers
-// 4. add_runs: a run for each layer that takes part, and the drawing's layers of ink; once more for the other sides
+// 4. add_runs: a run for each layer that takes part, and the drawing's layers of ink; called again for the
+//    other sides of surfaces that are drawn on both sides
 // 5. read_pose, pose_runs: places and clusters of marks that have moved
 // 6. add_turned_runs: normals and clusters of the other sides
 #include "frame/scene/scene.h"
@@ -27,7 +28,7 @@ namespace {
 using ll = long long; // The type of numbers in messages.
 
 constexpr std::int64_t marks_a_call = 4096;     // The largest number of marks in one call of a tone callback.
-constexpr std::int64_t most_marks = 0x7FFFFFFF; // An order key stores the number of a mark and one bit in 32 bits.
+constexpr std::int64_t most_marks = 0x7FFFFFFF; // An order key stores the index of a mark and one bit in 32 bits.
 // The allowed difference of a pose's unit vectors from the length 1. Floats are rounded.
 constexpr double most_off_unit = 1e-2;
 constexpr double farthest = 1e33; // The largest number in a pose, because marks are stored as floats.
@@ -65,7 +66,7 @@ void check_item(std::span<const Item> items, std::int64_t index) {
              ll{index});
 }
 
-// Returns the same camera with eye space in another unit, which suits the farthest distance of items from the eye.
+// Returns the camera with its eye space in another unit. The unit suits the largest distance of items from the eye.
 // Pixels do not depend on the unit.
 Camera unit_camera(Camera camera, std::span<const Item> items) noexcept {
     double reach = 0.0;
@@ -175,7 +176,8 @@ void note_layers(const marks::PointSet& set, std::int32_t number, drawing::Drawi
     }
 }
 
-// Makes the run of a layer, except its place in the scene. `splats` is true if its marks are the splats of the item.
+// Makes the run of a layer. The members that refer to the scene are set later. `splats` is true if the layer's marks
+// are the splats of the item.
 Run run_of(const Item& item, const marks::Layer& layer, bool splats, bool any_surface, const Lens& lens) {
     HRBFNPR_ASSERT(layer.count() > 0);
     const Style& style = item.style;
@@ -223,7 +225,7 @@ void add_layer(const Run& run, MarkClass mark_class, const float* ink, drawing::
     drawing.layers.push_back(layer);
 }
 
-// Adds the runs of the scene's last item, which has the number `number` in the drawing. The runs of the other side of a
+// Adds the runs of the scene's last item, which has the index `number` in the drawing. The runs of the other side of a
 // surface have only ink, because the front side already shows where the surface is.
 void add_runs(Scene& scene, const Item& item, std::int32_t number, std::int64_t first_of_drawing, bool other_side,
               drawing::Drawing& drawing) {
@@ -363,7 +365,7 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& given, draw
         note_layers(*item.set, number, drawing);
         add_runs(scene, item, number++, first, false, drawing);
     }
-    // The other sides come last. They have the numbers of their front sides.
+    // The other sides come last. They have the same indices in the drawing as their front sides.
     std::int64_t first = 0;
     number = 0;
     for (const Item& item : items) {
@@ -493,8 +495,8 @@ struct Range {
     return {middle > -spread.cosine ? both - side : -1.0F, middle < spread.cosine ? both + side : 1.0F};
 }
 
-// The position of a ball relative to the picture. The ball is certainly more than `beyond` outside a side of the
-// picture, in pixels times w. `beyond` is infinite if the ball is outside the range of depths.
+// The position of a ball relative to the picture. The distance of the ball from the picture, outside one of its sides,
+// is certainly more than `beyond`, in pixels times w. `beyond` is infinite if the ball is outside the range of depths.
 struct FrustumSides {
     float beyond = -infinite_distance;
     bool inside = true; // True if the ball is certainly in the picture.

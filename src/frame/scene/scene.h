@@ -56,15 +56,15 @@ struct Item {
     bool both_sides = false; // If true, marks are drawn on the inside of the surface, too.
 };
 
-// ---- How it is seen
+// ---- Items and runs as seen by the camera
 
-// The sizes and opacities of the discs of a group of marks, as functions of the place on the screen. All lengths are in
+// The sizes and opacities of the discs of a run's marks, as functions of the place on the screen. All lengths are in
 // pixels. `pixels_per_unit` is the number of pixels per eye unit at the mark.
 struct DiscSizes {
     const Style* style = nullptr; // The caller owns the style and the layer style.
     const LayerStyle* layer = nullptr;
     float spacing = 0.0F;     // the square root of the surface area that a mark represents, in eye units
-    float separation = 0.0F;  // the distance between neighbouring strokes of the group, in eye units; 0: not known
+    float separation = 0.0F;  // the distance between neighbouring strokes of the run, in eye units; 0: not known
     float zoom_at_one = 0.0F; // The zoom at which a pixel is an eye unit. 0: there is no reference, and the zoom is 1.
     float largest_splat = 0.0F;
 
@@ -131,7 +131,7 @@ struct Run {
     const LayerStyle* style = nullptr;
     DiscSizes discs;
     // For each mark: x, y and z. Positions are relative to the origin of the set. The arrays are those of the layer, or
-    // transformed copies if the item has a pose. If `turned`, the normals are opposite copies of these.
+    // transformed copies if the item has a pose. If `turned`, `normal` is a copy with opposite signs.
     const float* position = nullptr;
     const float* normal = nullptr;
     const float* posed_direction = nullptr; // NULL if the pose has no directions
@@ -140,9 +140,9 @@ struct Run {
     std::int32_t source = 0;    // the index of the item in the drawing
     std::int32_t layer = 0;     // the index of the layer in the item's set
     std::uint32_t first_id = 0; // the id of the run's first mark in the drawing
-    std::int64_t first = 0;     // the number of the run's first mark among the marks of all runs
+    std::int64_t first = 0;     // the index of the run's first mark among the marks of all runs
     std::int64_t count = 0;     // the number of marks in the run
-    // The number of its first place in the blocks of clusters, among the places of all runs.
+    // The index of the run's first place among the places of all runs. A place is an element of a cluster's block.
     std::int64_t first_place = 0;
     std::uint32_t directions = 3; // the directions whose strokes are front ink; bit 0 is the first, bit 1 the second
     Shape shape = Shape::dots;    // How front ink is drawn. Marks without strokes are always dots.
@@ -173,7 +173,7 @@ struct Run {
     [[nodiscard]] bool has_tone_normals() const noexcept { return !marks->tone_normal.empty(); }
     // Returns the normal for tone. In a posed layer, it is rotated together with normal and direction.
     [[nodiscard]] glm::vec3 tone_normal_of(std::int64_t mark) const noexcept;
-    // Returns the radius of the ink of a front mark, given by its number in the layer.
+    // Returns the radius of the ink of a front mark, given by its index in the layer.
     [[nodiscard]] float front_ink(std::int64_t mark, float pixels_per_unit) const noexcept {
         const float radius = discs.front_ink(pixels_per_unit);
         return marks->width.empty() ? radius : radius * marks->width[mark];
@@ -251,9 +251,9 @@ private:
 
 // An item as seen in its own coordinates.
 struct ItemSight {
-    ViewTransform
-        view_transform;    // `seer.rigid` is true if the transform keeps angles. Cones of normals then stay cones.
-    float scale = 1.0F;    // the largest length in eye units of a unit of the object
+    // `view_transform.rigid` is true if the transform keeps angles. Cones of normals then stay cones.
+    ViewTransform view_transform;
+    float scale = 1.0F;    // the largest length, in eye units, that a unit length of the object can have
     bool inside = false;   // true if the whole item is certainly in the picture
     glm::vec3 eye{0.0F};   // in object space: the centre of projection, or the unit direction of all lines of sight
     glm::vec3 light{0.0F}; // unit vector in object space, if the transform is rigid
@@ -278,7 +278,7 @@ struct ClusterView {
     float nearest = 0.0F;
     float nu_min = -1.0F;
     float nu_max = 1.0F;
-    float lit_min = -1.0F; // Bounds of n . l by the normals of the marks. Tone may use other normals.
+    float lit_min = -1.0F; // A lower bound of n . l, from the normals of the marks. Tone may use other normals.
 };
 
 [[nodiscard]] ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, const Lens& lens,

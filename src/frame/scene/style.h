@@ -62,7 +62,8 @@ enum class HiddenParts : std::uint32_t { none = 0, attenuated = 1, dashed = 2, s
 // The style of one kind of lines. Every field has the same meaning as in hrbfnpr_line_style.
 struct LineStyle {
     LineKind kind = LineKind::contour;
-    const char* name = nullptr; // the name of the lines found once that this style applies to; NULL: any name
+    // The style applies to lines with this name, which were found once for the line set. NULL: any name.
+    const char* name = nullptr;
     HiddenParts hidden = HiddenParts::none;
     drawing::Cap cap = drawing::Cap::round; // the shape of free ends
     float width = 2.0F;

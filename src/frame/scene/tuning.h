@@ -21,8 +21,8 @@ struct SceneTuning {
     // skipped.
     float rounding = 1.0001F;
 
-    // A halo hides ink that is farther than its line by at least this many pixels. Larger: fewer lines are cut that
-    // touch the contour, and fewer that are just beyond it.
+    // A halo hides ink that is farther from the eye than the halo's line by at least this many pixels. Larger: fewer
+    // lines that touch the contour are cut, and fewer lines that are just behind it.
     float halo_gap = 4.0F;
 
     // The width of a disc of paper, in spacings of its marks. Larger: no gaps, but wider rims. Tuned on evenly spread
