@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks of conditions that are true unless the library has a bug. Debug and sanitizer builds check them; release
-// builds do not. Mistakes that a caller can make are not checked in this way: they are always checked, and fail with a
-// message.
+// Assertions: conditions that are true unless the library has a bug. Only debug and sanitizer builds test them.
+// Assertions do not cover mistakes of a caller: every build tests for those and reports an error.
 #pragma once
 
 #if defined(NDEBUG) && !defined(HRBFNPR_ASSERTS)

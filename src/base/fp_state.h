@@ -13,7 +13,8 @@ namespace hrbfnpr::base {
 class FpGuard {
 public:
 #if defined(__SSE2__)
-    static constexpr unsigned default_state = 0x1F80U; // all exceptions masked, nearest, no FTZ, no DAZ
+    // All exceptions masked, round to nearest, subnormals not replaced by zero.
+    static constexpr unsigned default_state = 0x1F80U;
     FpGuard() noexcept : saved_(_mm_getcsr()) { _mm_setcsr(default_state); }
     ~FpGuard() { _mm_setcsr(saved_); }
 #else

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Operations on arrays that are so large that touching their memory for the first time takes long. They check for
-// cancellation.
+// Operations on arrays so large that the first write to their memory takes long. The operations check for cancellation.
 #pragma once
 
 #include "base/memory.h"
@@ -12,7 +11,7 @@
 
 namespace hrbfnpr::base {
 
-// The number of elements between two checks for cancellation. They take 2 MiB.
+// The number of elements that are processed between two checks for cancellation: 2 MiB of elements.
 template <class T>
 constexpr std::int64_t at_once = std::max<std::int64_t>(1, (std::int64_t{1} << 21) / std::int64_t{sizeof(T)});
 

@@ -12,13 +12,14 @@
 namespace hrbfnpr::base {
 namespace {
 
-// Smaller arrays gain little from huge pages, and may take up to one huge page more than requested.
+// The smallest size, in bytes, of an array that gets huge pages. Smaller arrays gain little from huge pages, and may
+// take up to one huge page more than requested.
 constexpr std::uint64_t large = std::uint64_t{4} << 20U;
 
 // Asks for huge pages where the system provides them on request, as Linux does by default. A cancelled call must wait
-// until its large arrays are freed. With huge pages this takes almost no time, instead of 0.1 ms per megabyte. The
-// first touch takes a quarter of the time if huge pages are available, and longer if the system or the host of a
-// virtual machine must find them first.
+// until its large arrays are freed. With huge pages, freeing takes almost no time, instead of 0.1 ms per megabyte. The
+// first write to the memory takes a quarter of the time if huge pages are free. It takes longer if the system, or the
+// host of a virtual machine, must first make them free.
 void ask_for_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::uint64_t size) noexcept {
 #if defined(__linux__)
     constexpr std::uintptr_t page = 4096; // a system with larger pages rejects the call, which is harmless

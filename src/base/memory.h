@@ -141,8 +141,8 @@ private:
     std::int64_t capacity_ = 0;
 };
 
-// A single object in memory from a Memory. It is for working memory of a task that may be too large for the stack of a
-// host's thread.
+// A single object in memory from a Memory. It holds a task's working data if the data may be too large for the stack of
+// a host's thread.
 template <class T>
 class OwnedObject {
 public:

@@ -15,7 +15,8 @@ using ProgressFn = std::int32_t (*)(void* user, double progress);
 
 class Operation {
 public:
-    // The API calls this when a long call enters. It throws Error{cancelled} if the operation is already cancelled.
+    // The API calls this at the start of each long call. It throws Error{cancelled} if the operation is already
+    // cancelled.
     void begin();
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
     [[nodiscard]] bool is_cancelled() const noexcept {
@@ -63,7 +64,8 @@ public:
     [[nodiscard]] bool is_watched() const noexcept { return operation_ != nullptr; }
     // Returns the part of this stage between the fractions `from` and `to`.
     [[nodiscard]] Progress part(double from, double to) const noexcept;
-    // Returns a Progress for steps whose share is unknown. They check for cancellation but report no progress.
+    // Returns a Progress for steps that take an unknown share of the stage. These steps check for cancellation but
+    // report no progress.
     [[nodiscard]] Progress without_progress() const noexcept { return part(0.0, 0.0); }
     // Reports that `fraction` of this stage is done. Throws Error{cancelled} if the operation was cancelled.
     void update(double fraction) const;
@@ -89,7 +91,7 @@ private:
     double to_ = 1.0;
 };
 
-// A range of numbers that checks for cancellation after each `stride` of them. A loop whose body takes 10 us or less
+// A range of numbers that checks for cancellation after every `stride` numbers. A loop whose body takes 10 us or less
 // ends within 10 ms of a cancellation. A longer body must check for cancellation itself.
 template <class Number>
 class CancellableRange {

@@ -13,8 +13,9 @@
 namespace hrbfnpr::base {
 namespace {
 
-// The tasks of one for_each call. It catches exceptions and keeps that of the lowest index, because an exception that
-// leaves an OpenMP region, a worker thread or a host's job would end the process.
+// The tasks of one for_each call. It catches the exceptions of the tasks and keeps the exception of the task with the
+// lowest index, because an exception that leaves an OpenMP region, a worker thread or a host's job would end the
+// process.
 class TaskGuard {
 public:
     TaskGuard(std::int64_t count, TaskFn task, void* context) noexcept
@@ -84,11 +85,13 @@ private:
     std::int64_t count_;
     TaskFn task_;
     void* context_;
-    // Lower indices still run after a failure, so that the same failure is reported in any order of the tasks.
+    // The lowest index of a failed task. Tasks with lower indices still run after a failure, so the reported failure
+    // does not depend on the order of the tasks.
     std::atomic<std::int64_t> first_failed_{std::numeric_limits<std::int64_t>::max()};
     std::mutex mutex_;
     std::exception_ptr error_;
-    std::atomic<std::int64_t> calls_{0}, bad_indices_{0}; // the number of calls by a host
+    // The host's calls with a valid index, and with an invalid one.
+    std::atomic<std::int64_t> calls_{0}, bad_indices_{0};
     std::atomic<std::uint64_t> sum_{0};
 };
 

@@ -54,7 +54,7 @@ public:
                  [&](std::int64_t chunk) { f(chunk * grain, std::min(count, (chunk + 1) * grain)); });
     }
 
-    // Work like for_each and for_chunks, with a check for cancellation before each call.
+    // The next two functions work like for_each and for_chunks, but check for cancellation before each call.
     template <class F>
     void for_each(std::int64_t count, const Progress& progress, F&& f) const {
         for_each(count, [&](std::int64_t i) {

@@ -6,8 +6,8 @@
 
 namespace hrbfnpr::base {
 
-// Resizes to `count` elements with unspecified values. When it grows, it reserves a quarter more than `count`, so that
-// a moving camera soon causes no allocations.
+// Resizes an array to `count` elements with unspecified values. An array that grows gets memory for a quarter more than
+// `count` elements, so that a moving camera soon causes no more allocations.
 template <class T>
 void resize_scratch(base::Array<T>& array, std::int64_t count) {
     if (count * std::int64_t{sizeof(T)} > array.bytes()) {

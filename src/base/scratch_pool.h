@@ -11,7 +11,8 @@
 
 namespace hrbfnpr::base {
 
-// Each T is made from the Runtime. The number of objects grows to the number of calls that run at the same time.
+// T is the type of the scratch objects. Each object is constructed from the Runtime. The pool grows to the largest
+// number of calls that run at the same time.
 template <class T>
 class ScratchPool {
     struct Node {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Loops that Highway compiles once for each instruction set, and that are chosen between at run time.
+// Loops that Highway compiles once for each instruction set. The version to run is chosen at run time.
 //
-// A file with such loops defines HWY_TARGET_INCLUDE as its own name, includes this header, puts its loops into
+// A file with such loops defines HWY_TARGET_INCLUDE as its own file name, includes this header, puts its loops into
 // HWY_NAMESPACE between HWY_BEFORE_NAMESPACE() and HWY_AFTER_NAMESPACE(), and ends with HRBFNPR_CHOOSE.  It must not
-// use the standard library, GLM or Eigen: if an inline function is compiled for several processors, the linker keeps
-// only one copy, which may be the wrong one.
+// use the standard library, GLM or Eigen: if an inline function is compiled for several instruction sets, the linker
+// keeps only one copy, which the processor may not be able to run.
 
 #if !defined(HWY_DISABLED_TARGETS)
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
@@ -48,8 +48,8 @@
 #endif
 #endif
 
-// Use this once in a file. It defines the function `name` in the namespace `space`. The function takes an instruction
-// set and returns the result of that set's `pick`.
+// Use HRBFNPR_CHOOSE once in a file. It defines the function `name` in the namespace `space`. The function takes an
+// instruction set and returns the result of that set's `pick`.
 #undef HRBFNPR_CHOOSE
 #if HWY_ONCE
 #define HRBFNPR_CHOOSE(space, type, name, pick)                                                                        \

@@ -17,8 +17,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<double>;
 using V = hn::Vec<D>;
 
-// Squared distances are raised to at least this, because inverse_root() starts in floats, whose smallest is 1.2e-38.
-// This does not change results, because the factor of the inverse root is 0 there.
+// The smallest squared distance whose inverse root is computed. Smaller squared distances are raised to this, because
+// the first estimate of the inverse root is a float, and the smallest normal float is 1.2e-38. This does not change
+// results, because at so small a distance the inverse root is multiplied by 0.
 constexpr double smallest_r2 = 1e-37;
 
 // Refines y = (1 - e)^(1/2) / sqrt(x), where e is small, by the series of (1 - e)^(-1/2). The first omitted term is
@@ -45,7 +46,7 @@ HWY_INLINE V polish_rough_inverse_root(V x, V y) {
 // 1 / sqrt(x) for smallest_r2 <= x < 1e38 is computed in two steps. rough_inverse_root() returns the processor's
 // estimate, if the processor has one. finish_inverse_root() refines it to two units in the last place.
 //
-// A division and a square root would take longer than the rest of the work for a pair.
+// A division and a square root would take longer than all other work for a pair of a point and a centre.
 HWY_INLINE V rough_inverse_root(V x) {
 #if HWY_TARGET == HWY_AVX3
     return V{_mm512_rsqrt14_pd(x.raw)};

@@ -21,12 +21,11 @@ public:
     Thread(const Thread&) = delete;
     Thread& operator=(const Thread&) = delete;
 
-    // Runs work(user) on a new thread with this name (at most 15 characters).  Returns false if the system gives no
     // Runs work(user) on a new thread with this name (at most 15 characters). Returns false if the system cannot start
-    // a thread. Only the system allocates memory for it.
+    // a thread. The library itself allocates no memory for the thread.
     //
-    // The thread blocks all signals, except those of its own faults and of profilers. So a host that waits for signals
-    // on its own threads still receives them there.
+    // The thread blocks all signals, except the signals of its own faults and of profilers. So a host that waits for
+    // signals on its own threads still receives them there.
     [[nodiscard]] bool start(const char* name, Work work, void* user) noexcept;
     // Call this once after each start that returned true.
     void join() noexcept;
@@ -48,8 +47,8 @@ private:
 // Returns the processor that this thread runs on, or -1 if the system does not report it.
 [[nodiscard]] int current_processor() noexcept;
 
-// Moves this thread to another processor if it may run on another. Afterwards the system may move it to any processor
-// that was allowed before.
+// Moves this thread away from `processor`, if the thread may run on another processor. Afterwards the system may move
+// it to any processor that was allowed before.
 void leave_processor(int processor) noexcept;
 
 // Returns a number that differs between a process and its forked children. It is constant on systems without fork().

@@ -82,9 +82,9 @@ bool Job::work() noexcept {
 bool Job::run_unclaimed_tasks() noexcept {
     const std::uint64_t index = next_.load(std::memory_order_acquire) & index_mask;
     if (index >= count_.load(std::memory_order_acquire)) return false;
-    // If all other processors are busy, a system wakes a worker on its caller's processor and leaves it there for long.
-    // There the two threads take turns and gain nothing. On another busy processor the worker still gets about half of
-    // the time.
+    // If all other processors are busy, the system may wake a worker on the processor of the job's caller, and leave it
+    // there for long. There the worker and the caller take turns, and nothing is gained. On another busy processor the
+    // worker gets about half of the processor's time.
     const int processor = processor_.load(std::memory_order_relaxed);
     if (processor >= 0 && processor == current_processor()) leave_processor(processor);
     return work();

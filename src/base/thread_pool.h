@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Threads that share the tasks of a job: the built-in backend of base::Parallel.
 //
-// Every free thread claims the next task, the caller of the job too.  In the end the caller waits for the tasks that
-// other threads have claimed, but never for a thread that has claimed none: if the system lets a worker wait for a
-// processor, the caller does the work meanwhile.
+// Every free thread claims the next task; the caller of the job does so, too. When all tasks are claimed, the caller
+// waits until those of other threads end. It never waits for a thread that has claimed no task: while a worker waits
+// for a processor, the caller runs the tasks.
 //
-// The first job starts the workers.  A worker that finds nothing to do keeps looking for 20 microseconds and then
+// The first job starts the workers.  A worker without a task looks for another job for 20 microseconds, and then
 // sleeps.  Any number of threads may run jobs at the same time. A job that starts within a task of the same pool is run
 // by its caller alone.
 #pragma once
@@ -101,7 +101,7 @@ private:
     [[nodiscard]] int take_job() noexcept;
 
     std::array<Job, most_jobs> jobs_;
-    std::atomic<std::uint32_t> taken_{0}; // a bit for each job that has a caller
+    std::atomic<std::uint32_t> taken_{0}; // one bit for each Job object: 1 while a caller uses it
     // The number of jobs that were opened, plus one when the team ends.
     alignas(64) std::atomic<std::uint32_t> event_count_{0};
     std::atomic<bool> ending_{false};
@@ -139,8 +139,9 @@ private:
     }
 
     int threads_;
-    // Keeps this library loaded while workers may run its code. The team must not do this. In a child that was forked
-    // while another thread made a team, the loader's locks may be held for ever.
+    // The handle that keeps this library loaded while workers may run its code. The pool takes the handle, and not a
+    // team, because a forked child makes a new team. If the fork happened while another thread made a team, the
+    // loader's locks might be held for ever in the child.
     void* library_;
     std::atomic<std::int64_t> owner_{0}; // id of the process that owns the team; negative while the team starts
     alignas(Team) std::byte team_storage_[sizeof(Team)];

@@ -63,7 +63,7 @@ struct InView {
 };
 
 struct OutView {
-    std::byte* data = nullptr; // nullptr if the caller does not want it
+    std::byte* data = nullptr; // nullptr if the caller does not want this output
     std::int64_t count = 0;
     std::int64_t stride = 0;
     Scalar scalar = Scalar::float64;

@@ -47,7 +47,8 @@ public:
         work.one_thread_ = true;
         return work;
     }
-    // Work like Parallel::for_each and Parallel::for_chunks, with a check for cancellation before each task.
+    // The next two functions work like Parallel::for_each and Parallel::for_chunks, but check for cancellation before
+    // each task.
     template <class F>
     void for_each(std::int64_t count, F&& f) const {
         const auto watched = [&](std::int64_t i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Defines the parts of a drawing: dots and strokes of ink, and the splats of the surfaces that they lie on. Positions
-// are window coordinates: pixels from the picture's top-left corner, and depth in the camera's convention.
+// are window coordinates: pixels from the picture's top-left corner, and window depth in the camera's convention.
 #pragma once
 
 #include "geometry/vec.h"
@@ -41,11 +41,11 @@ struct Dot {
     float radius; // pixels
     // For ink, it multiplies the opacity of the layer's ink; for paper, it is the alpha; 0: not drawn.
     float opacity;
-    float depth;           // in eye units along the view
-    float window;          // depth in the camera's convention
-    float pixels_per_unit; // pixels per eye unit at the depth of the dot
+    float depth;           // depth along the view direction, in units of eye coordinates
+    float window;          // window depth in the camera's convention
+    float pixels_per_unit; // pixels per unit of eye coordinates at the depth of the dot
     std::uint32_t id;      // 1 + the index of the mark among all marks of the drawing
-    std::uint32_t layer;   // index of its layer in the drawing
+    std::uint32_t layer;   // index of the dot's layer in the drawing
     MarkClass mark_class;
     std::uint8_t flags; // a combination of the bits dot_* below
 };
@@ -66,13 +66,16 @@ struct Stroke {
     std::int64_t first = 0; // index of its first point in the drawing
     std::int32_t count = 0; // number of its points, at least 2
     std::uint32_t layer = 0;
-    float depth = 0.0F; // depth of its middle in eye units along the view; strokes are painted from far to near
+    // Depth of the stroke's middle along the view direction, in units of eye coordinates; strokes are painted from far
+    // to near.
+    float depth = 0.0F;
     Cap cap_begin = Cap::round;
     Cap cap_end = Cap::round;
     // Whether the last point coincides with the first and is joined to it. A closed stroke has no caps.
     bool closed = false;
-    // Set only for lines: a number that is the same in all frames; the number of surface layers in front of the stroke;
-    // and the item of the nearest of these layers, or -1 if no layer hides the stroke.
+    // The next three members are set only for strokes of lines. `line` is a number of the line that is the same in all
+    // frames. `hidden_layers` is the number of surface layers in front of the stroke. `hidden_by` is the item of the
+    // nearest of these layers, or -1 if no layer hides the stroke.
     std::uint32_t line = 0;
     std::int32_t hidden_layers = 0;
     std::int32_t hidden_by = -1;
@@ -83,9 +86,9 @@ struct StrokePoint {
     float x, y;            // in pixels
     float radius;          // half the width, in pixels
     float opacity;         // multiplies the opacity of the layer's ink
-    float depth;           // in eye units along the view
-    float window;          // depth in the camera's convention
-    float pixels_per_unit; // pixels per eye unit at the depth of the point
+    float depth;           // depth along the view direction, in units of eye coordinates
+    float window;          // window depth in the camera's convention
+    float pixels_per_unit; // pixels per unit of eye coordinates at the depth of the point
     float length;          // length along the stroke from its first point to this one, in pixels
     std::uint32_t id;      // 1 + the index of the mark among all marks of the drawing; 0 for points of lines
 };
@@ -93,12 +96,12 @@ struct StrokePoint {
 // A disc of surface around a mark, which the camera sees as an ellipse. Depth layers are computed from splats.
 struct Splat {
     float x, y;             // in pixels
-    float radius;           // radius of the disc in space, in pixels
-    float depth;            // in eye units along the view
+    float radius;           // radius of the disc without foreshortening, in pixels
+    float depth;            // depth along the view direction, in units of eye coordinates
     float slope_x, slope_y; // change of the surface's depth across the picture, in eye units per pixel
-    float pixels_per_unit;  // pixels per eye unit at the depth of the splat
-    float transmittance;    // the share of the ink beyond this depth layer that remains visible
-    float window;           // depth in the camera's convention
+    float pixels_per_unit;  // pixels per unit of eye coordinates at the depth of the splat
+    float transmittance;    // the share of the ink behind the splat that remains visible
+    float window;           // window depth in the camera's convention
     // The halo is a disc of this radius in pixels around the nearest point of the contour. If it is 0, no contour is
     // near, and the other halo members are not used.
     float halo;
@@ -109,8 +112,8 @@ struct Splat {
     bool faces_back;
 };
 
-// The largest slope of depth layers, as depth per length across the view. Splats that are steeper would be ellipses so
-// thin that they fall between pixels.
+// The largest slope of depth layers, as depth per length perpendicular to the view direction. The ellipses of steeper
+// splats would be so thin that they fall between pixels.
 inline constexpr float steepest_slope = 4.0F;
 
 } // namespace hrbfnpr::drawing

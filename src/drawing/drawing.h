@@ -62,7 +62,7 @@ struct Run {
     std::int32_t layer = 0;
     std::int64_t count = 0;
     std::uint32_t first_id = 1;
-    // Index of the run's first mark in `posed_position`; -1: the marks are where the set has them.
+    // Index of the run's first mark in `posed_position`; -1: the marks have the positions of the point set.
     std::int64_t posed = -1;
     bool poses_directions = false;
 };
@@ -70,7 +70,7 @@ struct Run {
 // The marks of an item, and their transforms to the world.
 struct ItemSource {
     const marks::PointSet* set = nullptr; // kept alive by the owner of the drawing
-    // `to_world` transforms positions that are relative to the set's origin, in this unit.
+    // The unit of length of the positions that `to_world` transforms. These positions are relative to the set's origin.
     double unit = 1.0;
     glm::dmat4 to_world{1.0};
     glm::mat3 normal_to_world{1.0F};
@@ -108,7 +108,7 @@ struct Drawing {
     base::Array<Stroke> strokes;        // sorted from far to near
     base::Array<StrokePoint> points;
     base::Array<Splat> splats; // the splats from which depth layers were computed
-    bool has_splats = false;   // if false, nothing hides anything
+    bool has_splats = false;   // if false, no surface hides ink
     base::Array<IndexRange> splat_ranges;
 
     // Spatial indexes over the viewport. Its top-left pixel is `first_pixel`. They exist only with
@@ -116,7 +116,7 @@ struct Drawing {
     glm::ivec2 first_pixel{0};
     Tiles dot_tiles;
     Tiles splat_tiles;
-    Tiles segment_tiles; // a segment has the index of its first point
+    Tiles segment_tiles; // a segment's index is that of its first point
 
     // Maps (x, y, window depth, 1) to homogeneous coordinates in the world.
     glm::dmat4 from_window{1.0};
@@ -136,7 +136,7 @@ struct Drawing {
 
     // Returns the run that contains the mark with this id, or nullptr if no mark has it.
     [[nodiscard]] const Run* run_of(std::uint32_t id) const noexcept;
-    // These functions require the id of a mark.
+    // identify() and source() require the id of a mark.
     [[nodiscard]] Identity identify(std::uint32_t id) const noexcept;
     [[nodiscard]] MarkSource source(std::uint32_t id) const noexcept;
     // Returns the place in the world for a place in window coordinates.
@@ -155,8 +155,8 @@ private:
 
 // ---- Segments of strokes: each goes from one point of a stroke to the next
 
-// Returns the stroke that contains a segment. A segment has the index of its first point. It must not belong to a
-// stroke before `from`.
+// Returns the stroke that contains a segment. `segment` is the index of the segment's first point. The segment's stroke
+// must not come before `from`.
 [[nodiscard]] inline const Stroke* stroke_of(const Drawing& drawing, std::int64_t segment,
                                              const Stroke* from) noexcept {
     const Stroke* const next = std::upper_bound(from, drawing.strokes.end(), segment,
@@ -202,8 +202,8 @@ struct SegmentEnds {
     return left > 0.0F && square - beyond * beyond <= left * left;
 }
 
-// Assigns the segments of strokes to tiles, as dots are assigned. A tile may get a segment if only the segment's
-// bounding box touches it.
+// Assigns the segments of strokes to tiles, in the same way as dots. A tile may get a segment that only touches the
+// tile with its bounding box.
 void bin_segments(const base::Parallel& parallel, Drawing& drawing);
 
 // ---- Far-to-near order
@@ -211,7 +211,7 @@ void bin_segments(const base::Parallel& parallel, Drawing& drawing);
 // Returns a 64-bit sort key. Its upper half sorts depths from far to near. Its lower half is `what`.
 [[nodiscard]] inline std::uint64_t far_first_key(float depth, std::uint32_t what) noexcept {
     const auto bits = base::bit_cast<std::uint32_t>(depth);
-    // Maps floats to integers in the same order. The key uses the inverse order, so that far comes first.
+    // Maps floats to integers of the same order. The key has the inverted integer, so that far depths come first.
     const std::uint32_t ascending = (bits >> 31U) != 0 ? ~bits : bits | 0x80000000U;
     return std::uint64_t{~ascending} << 32U | what;
 }
@@ -228,7 +228,8 @@ private:
                        base::Array<std::uint64_t>& to, unsigned shift);
 
     base::Array<std::uint64_t> other_;
-    base::Array<std::int64_t> histogram_; // for each chunk, a count for each digit
+    // For each chunk of keys, the number of keys with each value of the digit.
+    base::Array<std::int64_t> histogram_;
 };
 
 } // namespace hrbfnpr::drawing

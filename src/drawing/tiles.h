@@ -99,7 +99,7 @@ public:
                ranges_.bytes() + starts_.bytes();
     }
 
-    // Sorts the discs of each tile by `before` instead of by their numbers.
+    // Sorts the discs of each tile by `before` instead of by their indices.
     template <class Before>
     void order(const base::Parallel& parallel, const Before& before) {
         parallel.for_each(tiles(), [&](std::int64_t tile) {
@@ -108,7 +108,8 @@ public:
         std::sort(large_.begin(), large_.end(),
                   [&](const LargeDisc& a, const LargeDisc& b) { return before(a.disc, b.disc); });
     }
-    // The places that are nearest to a tile. At the border of the picture they extend beyond it.
+    // The places that belong to a tile: all places in the tile. A tile at the border of the picture also has the places
+    // outside the picture on that side.
     struct Extent {
         float left, top, right, bottom;
         [[nodiscard]] bool holds(float x, float y) const noexcept {
@@ -125,8 +126,8 @@ public:
         return {edge(column, columns_), edge(row, rows_), edge(column + 1, columns_), edge(row + 1, rows_)};
     }
 
-    // Calls f(disc) for each disc that touches the tile, in ascending order. After order(), the same `before` must be
-    // given.
+    // Calls f(disc) for each disc that touches the tile, in ascending order. After a call of order(), `before` must be
+    // the same as in that call.
     template <class F, class Before = std::less<>>
     void for_tile(std::int64_t tile, F&& f, const Before& before = {}) const {
         for_spans(
@@ -176,7 +177,7 @@ private:
 
     [[nodiscard]] Rect rect_of(const Footprint& print) const noexcept {
         if (!(print.left <= print.right && print.top <= print.bottom)) return {};
-        // Numbers are clamped as floats, because they may exceed every integer type.
+        // Coordinates are clamped as floats, because they may exceed the range of every integer type.
         const float scale = 1.0F / static_cast<float>(tile_size_);
         const auto cell = [scale](float at, std::int32_t limit) {
             return static_cast<std::int32_t>(std::clamp(at * scale + 1.0F, 0.0F, static_cast<float>(limit + 1))) - 1;
@@ -190,7 +191,8 @@ private:
                 static_cast<std::uint16_t>(bottom)};
     }
 
-    // Calls f(number, disc) for a range of numbers. Discs are numbered through all ranges.
+    // Calls f(number, disc) for the discs with the numbers `begin` to end - 1. `number` counts the discs of all ranges
+    // from 0; `disc` is the index of the disc.
     template <class F>
     void for_each_disc(std::int64_t begin, std::int64_t end, F&& f) const {
         const std::int64_t* const after = std::upper_bound(starts_.begin(), starts_.end(), begin);
@@ -248,7 +250,8 @@ private:
     base::Array<std::uint32_t> entries_; // the discs of all tiles, tile by tile
     base::Array<LargeDisc> large_;       // discs that touch too many tiles; they are not in `entries_`
     base::Array<IndexRange> ranges_;
-    base::Array<std::int64_t> starts_; // for each range, the number of its first disc; the last element is the total
+    // For each range, the number of discs in earlier ranges; the last element is the number of all discs.
+    base::Array<std::int64_t> starts_;
 };
 
 } // namespace hrbfnpr::drawing

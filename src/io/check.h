@@ -40,8 +40,8 @@ inline void check_bounds(const Decoder& decoder, const geometry::Bounds& bounds)
             decoder.damaged("its bounds are not a box");
 }
 
-// Checks that a sample is in the bounds, in the cells of a model of sheets, or at most a tenth of the diagonal outside.
-// A fit to a mesh may have samples off the surface, anywhere in the search box.
+// Checks that a sample is in the bounds, or at most a tenth of their diagonal outside. For a model of sheets, the
+// bounds are those of its cells. A fit to a mesh may have samples off the surface, anywhere in the search box.
 inline void check_sample(const Decoder& decoder, const geometry::Bounds& bounds, const double* sample,
                          std::int64_t index) {
     const double beyond = 0.1 * bounds.diagonal();

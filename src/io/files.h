@@ -21,9 +21,10 @@ struct TrimFile {
         : report(memory), position(memory), normal(memory), kept_cells(memory), end_cells(memory) {}
     double limit = 0.0, closest = 0.0;
     geometry::CellGrid grid;
-    base::Array<double> report; // the numbers of a report, whose meaning this folder does not know
+    base::Array<double> report; // the numbers of a report, which src/io does not interpret
     base::Array<double> position, normal;
-    base::Array<std::int64_t> kept_cells, end_cells; // packed cell numbers
+    // Cells; the three indices of each are packed into one integer.
+    base::Array<std::int64_t> kept_cells, end_cells;
 };
 
 // A single fit, or a model of sheets.
@@ -31,7 +32,7 @@ struct FitFile {
     explicit FitFile(base::Memory& memory) noexcept : data(memory), report(memory) {}
     implicit::HrbfData data;
     std::optional<implicit::SheetTreeData> pieces = std::nullopt;
-    base::Array<double> report; // the numbers of a fit::FitReport in order, whose meaning this folder does not know
+    base::Array<double> report; // the numbers of a fit::FitReport in order; src/io does not interpret them
 };
 
 // A growing list of FitFiles in the context's memory.
@@ -61,7 +62,7 @@ private:
 
 struct ModelFile : FitFile {
     explicit ModelFile(base::Memory& memory) noexcept : FitFile(memory), trim(memory), tree(memory), leaves(memory) {}
-    TrimFile trim; // without samples if the model is not trimmed
+    TrimFile trim; // has no samples if the model is not trimmed
     // If this has nodes, the model is a CSG tree and not a fit. The caller must check that the nodes form a tree.
     implicit::CsgTree tree;
     geometry::Bounds bounds;

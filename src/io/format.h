@@ -18,11 +18,12 @@
 namespace hrbfnpr::io {
 
 // The first bytes of a file. As in PNG, the top bit of the first byte detects 7-bit transfers, the line ends detect
-// text mode, and 1A ends a DOS listing.
+// transfers in text mode, and the byte 1A ends a listing of the file under DOS.
 inline constexpr std::array<std::uint8_t, 8> magic{0x89, 'H', 'R', 'B', 0x0D, 0x0A, 0x1A, 0x0A};
 // The newest format version of each kind of file.
 inline constexpr std::uint32_t model_version = 2;
-// For models that are a single fit, so that older versions of the library can read them.
+// The format version of models that are a single fit. It is older than model_version, so that older versions of the
+// library can read these models.
 inline constexpr std::uint32_t fit_version = 1;
 inline constexpr std::uint32_t point_set_version = 3; // older versions, from before the first release, cannot be read
 inline constexpr std::uint32_t byte_order_mark = 0x01020304U;

@@ -31,7 +31,8 @@ constexpr std::int64_t longest_report = 1024;
 constexpr double smallest_side = 1e-110;
 constexpr double most_scale_ratio = 1e12; // the largest ratio of the bounds' longest side to the scale
 constexpr double radius_limit = 1e30;
-constexpr double weight_limit = 1e120; // the cube of the largest radius, times 1e30; a solver can still handle it
+// The limit of weights: the cube of the largest radius, times 1e30; a solver can still handle it.
+constexpr double weight_limit = 1e120;
 
 // Returns the number of terms of a polynomial in three variables of a degree from -1 to 3.
 constexpr std::int64_t term_count(std::int32_t degree) noexcept {

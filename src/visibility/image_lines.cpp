@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Draws curves in the image. The parts of curves before the eye become lines of cubics (add_curve). Each cubic is
-// halved until its chords are near enough to it (draw_cubic). LineLengths are measured along the polylines
+// halved until its chords are within the tolerance (draw_cubic). Lengths are measured along the polylines
 // (LineLengths).
 //
 // Finds crossings. Segments of polylines go into the cells of a grid (make_grid). Pairs of segments that cross are
-// found cell by cell (find_pairs). Newton's method moves each pair onto its cubics (refine). Depths and directions
-// there say which curve is nearer, and on which side of the nearer curve its surface lies (set_crossing). Crossings of
-// curves that are near in space, too, are verified on the curves themselves (verify_crossings). Lines that pass through
-// another item's surface are found by halving the lines' cubics (find_piercings).
+// found cell by cell (find_pairs). Newton's method moves each pair onto its cubics (refine). The depths and directions
+// of the two curves at a crossing say which curve is nearer, and on which side of the nearer curve its surface lies
+// (set_crossing). Crossings of curves that are near in space, too, are verified on the curves themselves
+// (verify_crossings). Lines that pass through another item's surface are found by halving the lines' cubics
+// (find_piercings).
 #include "visibility/image_lines.h"
 
 #include "base/list.h"
@@ -26,7 +27,7 @@
 namespace hrbfnpr::visibility {
 namespace {
 
-// Returns whether m is between the ends of a chord, and at most the tolerance away from it.
+// Returns whether the point m lies beside the chord from a to b, at most `tolerance` away from the chord.
 bool on_chord(const glm::dvec2& a, const glm::dvec2& m, const glm::dvec2& b, double tolerance) noexcept {
     const glm::dvec2 chord = b - a;
     const glm::dvec2 way = m - a;
@@ -63,7 +64,8 @@ void draw_cubic(const curves::View& view, const curves::CubicPiece& cubic, std::
     split(split, 0.5, m, 1.0, b, visibility_tuning.most_halvings);
 }
 
-// Adds a line made of the pieces `from` to `to` of a curve. If the curve is closed, `to` may be beyond its end.
+// Adds a line made of the pieces `from` to `to` - 1 of a curve. If the curve is closed, `to` may be larger than the
+// number of its pieces.
 void add_line(const curves::Curves& curves, std::int32_t subject, std::int64_t curve, std::int64_t from,
               std::int64_t to, bool closed, ImageLines& lines) {
     HRBFNPR_ASSERT(from < to && from >= 0);
@@ -101,7 +103,7 @@ constexpr std::int64_t pairs_a_task = 16;
 
 double cross2(const glm::dvec2& a, const glm::dvec2& b) noexcept { return a.x * b.y - a.y * b.x; }
 
-// A place on a curve as seen in the image, and its velocity along the curve.
+// A point of a curve, its place in the image, and the velocity of the place along the curve.
 struct MovingPlace {
     glm::dvec3 point;
     glm::dvec2 place, velocity; // in pixels
@@ -167,8 +169,8 @@ Grid make_grid(base::Memory& memory, const ImageLines& lines) {
     grid.side = std::max(grid.side, std::sqrt(size.x * size.y / visibility_tuning.most_cells));
     grid.columns = static_cast<std::int64_t>(size.x / grid.side) + 1;
     grid.rows = static_cast<std::int64_t>(size.y / grid.side) + 1;
-    // Counting sort. Each element of `begin` first holds the count of the cell two before it, then the start of the
-    // cell one before it, and in the end the end of that cell.
+    // Counting sort. begin[i] first holds the number of segments in cell i - 2, and then the start of cell i - 1. In
+    // the end it holds the end of cell i - 1, which is the start of cell i.
     grid.begin.resize(grid.columns * grid.rows + 2);
     for_cells(lines, grid, [&](std::int64_t, std::int64_t cell) { ++grid.begin[cell + 2]; });
     for (std::int64_t cell = 2; cell < grid.begin.size(); ++cell) grid.begin[cell] += grid.begin[cell - 1];
@@ -189,8 +191,9 @@ struct CrossingInput {
     }
 };
 
-// Returns whether the ends of each segment are on different sides of the other segment. An end on the line counts as
-// left of it. So a line through a vertex crosses exactly one of the two segments that meet there.
+// Returns whether the ends of each segment are on different sides of the other segment. An end that lies on the other
+// segment's line counts as left of that line. So a line through a vertex crosses exactly one of the two segments that
+// meet there.
 bool segments_cross(const CrossingInput& in, std::int64_t a, std::int64_t b) noexcept {
     const auto left = [](const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& at) {
         return cross2(to - from, at - from) >= 0.0;
@@ -243,7 +246,7 @@ bool find_pairs_in_cell(const CrossingInput& in, const Grid& grid, std::int64_t 
     return true;
 }
 
-// Returns the pairs of segments that cross. Their order is that of the cells, whatever the number of threads.
+// Returns the pairs of segments that cross. The pairs are in the order of the cells, for any number of threads.
 base::Array<SegmentPair> find_pairs(const base::Work& work, const CrossingInput& in, CrossingReport& report) {
     const Grid grid = make_grid(work.memory, in.lines);
     const std::int64_t cells = grid.begin.size() - 1;
@@ -315,7 +318,7 @@ bool refine(const CrossingInput& in, LinePlace& a, LinePlace& b) noexcept {
     }
 }
 
-// Returns the distance in space, in sides, below which two curves at a crossing count as the same curve.
+// Returns the distance in space, in mesh sides, below which two curves at a crossing count as the same curve.
 double least_gap_of(const CrossingInput& in, const LinePlace& a, const LinePlace& b) noexcept {
     if (in.lines.pieces[a.piece].line == in.lines.pieces[b.piece].line) return visibility_tuning.least_loop;
     const Subject& sa = in.subject(a.piece);
@@ -405,7 +408,7 @@ void correct_suspects(const base::Work& work, std::span<const Subject> subjects,
         base::Array<curves::CurvePoint> points(work.memory);
         for (const curves::CurvePoint* p : which) points.push_back(*p);
         std::int64_t evaluations = 0;
-        // With these limits, each point takes a second step.
+        // The limit is 0 for each point, so each point takes a second step.
         const base::Array<double> always(work.memory, points.size());
         curves::bring_closer(work, *subjects[s].level, always, points, evaluations);
         for (std::int64_t i = 0; i < points.size(); ++i) *which[i] = points[i];
@@ -538,7 +541,8 @@ void add_piercing(const PiercingScene& in, const PiercingPart& part, base::Array
     found.push_back({part.piece, share, in.item, faces_away != (at.value < 0.0) ? -1 : 1});
 }
 
-// Adds the place where a short part passes through the surface. A longer part that may do so is added to `halved`.
+// Adds the place where a short part passes through the surface. A longer part that may pass through the surface is
+// added to `halved`.
 void add_or_halve(const PiercingScene& in, const PiercingPart& part, base::Array<PiercingPart>& halved,
                   base::Array<Piercing>& found) {
     const PiercingPlace& a = part.low;

@@ -26,20 +26,19 @@ struct Occluder {
 // Curves on one surface. Their visibility is to be found.
 struct Subject {
     const curves::Curves* curves = nullptr;
-    // The function whose zero lines the curves are; null: the curves are just polylines.
+    // The function that is 0 on the curves; null: the curves are just polylines.
     const curves::Level* level = nullptr;
     curves::View view;
     double side = 0.0; // the side of the surface mesh's cells, which is the unit of length for the subject
-    // Surface that is nearer than this before a curve does not hide it, in sides.
+    // A surface that is less than this before a curve does not hide the curve. In mesh sides.
     double clearance = visibility_tuning.clearance;
     glm::dmat4 to_world{1.0}; // an affine transform
     std::int32_t item = 0;    // the index of the surface's item among the occluders
     // The number of sheets that begin or end at these curves: 2 for a contour or for a crease that is a contour, 1 for
     // a border, 0 for other lines.
-    std::int32_t sheet_change = 2; // the number of sheets that begin or end at these curves: 2 for a contour or for a
-                                   // crease that is a contour, 1 for a border, 0 for other lines
-    bool mirrored = false;         // true if the image shows the surface mirrored
-    bool joined = false;           // true if open curves end at other curves, for example at the corners of a crease
+    std::int32_t sheet_change = 2;
+    bool mirrored = false; // true if the image shows the surface mirrored
+    bool joined = false;   // true if open curves end at other curves, for example at the corners of a crease
 };
 
 // The cubic between two points of a curve.
@@ -72,7 +71,8 @@ struct ImageLines {
     base::Array<ImagePoint> points;
 };
 
-// Makes polylines. Their distance from the curves is `tolerance` pixels, or only a little more.
+// Makes polylines of the images of the curves. A polyline is at most `tolerance` pixels, or only a little more, from
+// the image of its curve.
 [[nodiscard]] ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> subjects, double tolerance);
 
 [[nodiscard]] inline const Subject& subject_of(std::span<const Subject> subjects, const Piece& piece) noexcept {
@@ -86,10 +86,10 @@ struct ImageLines {
 }
 
 // Returns whether a border shows the inside of the surface. As seen from outside, the surface is to the left of a
-// border. As seen from the eye, it is always to the left of a contour.
+// border. As seen from the eye, the surface is always to the left of a contour.
 [[nodiscard]] bool shows_inside(std::span<const Subject> subjects, const Piece& piece) noexcept;
 
-// Measures lengths along the images of lines. `lines` must outlive it.
+// Measures lengths along the images of lines. `lines` must outlive this object.
 class LineLengths {
 public:
     LineLengths(base::Memory& memory, const ImageLines& lines);
@@ -126,7 +126,7 @@ struct CrossingReport {
     std::int64_t tangles = 0;      // the number of cells whose crossings are ignored, because there are too many
 };
 
-// Finds the crossings of all lines with those lines that begin or end sheets (Subject::sheets > 0). The result is
+// Finds the crossings of all lines with those lines that begin or end sheets (Subject::sheet_change > 0). The result is
 // sorted by the farther piece and the position on it.
 [[nodiscard]] base::Array<Crossing> find_crossings(const base::Work& work, std::span<const Subject> subjects,
                                                    const ImageLines& lines, CrossingReport& report);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Counts the sheets before lines. Each round draws the lines and finds their crossings. Events are the places where the
-// number of a line changes (collect_events). The parts between events get numbers relative to the start of the line
-// (parts_between). A few rays (best_ray, send_rays) give the absolute number, which is added to all parts of a line
-// (set_invisibility). Lines whose changes and rays contradict each other are made finer for the next round
-// (refine_curves). In the last round, each part of such a line gets the number that a ray to it finds (settle). The
-// outline is found in the same way, with rays that come from beyond the surface.
+// number of sheets before a line changes (collect_events). The parts between events get sheet counts relative to the
+// start of the line (parts_between). A few rays (best_ray, send_rays) give an absolute count, from which the absolute
+// counts of all parts of a line follow (set_invisibility). Lines whose changes and rays contradict each other are made
+// finer for the next round (refine_curves). In the last round, each part of such a line gets the sheet count of a ray
+// to this part (number_by_own_rays). The outline is found in the same way, with rays that come from beyond the surface.
 #include "visibility/invisibility.h"
 
 #include "base/assert.h"
@@ -149,8 +149,9 @@ void send_rays(const CountingInput& in, bool from_beyond, base::Array<Ray>& rays
     }
 }
 
-// Turns numbers relative to the start of a line into absolute numbers. Certain rays decide; without certain rays, all
-// rays decide. Returns false if rays contradict each other, or if a number would be negative.
+// Converts the sheet counts of a line's parts from counts relative to the start of the line to absolute counts. Certain
+// rays decide; without certain rays, all rays decide. Returns false if rays contradict each other, or if a count would
+// be negative.
 bool set_invisibility(std::span<Interval> parts, std::span<const Ray> rays, double whole) noexcept {
     const auto relative = [&](double at) {
         for (const Interval& part : parts)
@@ -177,8 +178,9 @@ bool set_invisibility(std::span<Interval> parts, std::span<const Ray> rays, doub
     return known && agree;
 }
 
-// Sets the number of each part of the given lines to the result of a ray to this part, if the ray is certain. A part
-// too short for a ray gets the number of the part before it. Returns the number of lines with an uncertain ray.
+// Sets the sheet count of each part of the given lines to the result of a ray to this part, if the ray is certain. A
+// part too short for a ray gets the sheet count of the part before it. Returns the number of lines with an uncertain
+// ray.
 std::int64_t number_by_own_rays(const CountingInput& in, bool from_beyond, std::span<const std::int32_t> lines,
                                 std::span<Interval> parts, std::int64_t& sent) {
     HRBFNPR_ASSERT(std::is_sorted(lines.begin(), lines.end()));
@@ -209,8 +211,8 @@ std::int64_t number_by_own_rays(const CountingInput& in, bool from_beyond, std::
     return uncertain;
 }
 
-// Returns the parts of a line between its events. Their numbers are relative to the start of the line or, for a closed
-// line, to its first event.
+// Returns the parts of a line between its events. The sheet counts of the parts are relative to the start of the line
+// or, for a closed line, to its first event.
 base::Array<Interval> parts_between(const CountingInput& in, std::int64_t number, std::span<const Event> events) {
     const Line& line = in.line(number);
     base::Array<Interval> parts(in.memory());
@@ -266,8 +268,8 @@ base::Array<std::int32_t> count_along_lines(const CountingInput& in, const Event
     return bad;
 }
 
-// Makes contradictory lines finer near their crossings, and also the lines that they cross there. The new curves are at
-// most `tolerance` pixels off.
+// Refines the curves of contradictory lines. Near their crossings, the other lines are refined, too. The refined curves
+// are at most `tolerance` pixels from the exact curves.
 void refine_curves(const CountingInput& in, std::span<const std::int32_t> bad, double tolerance, Invisibility& out) {
     base::Array<std::int64_t> first(in.memory()); // for each subject: the index of its first point
     first.push_back(0);
@@ -368,8 +370,9 @@ base::Array<ChangeBeside> find_changes_beside(const CountingInput& in, const bas
     return changes;
 }
 
-// Divides a visible part at the changes of its line, and adds the pieces, with numbers relative to the start of the
-// line. An interval of a closed line may continue past the end of the line, so the changes are applied a second time.
+// Divides a visible part at the changes of its line, and adds the resulting parts, with sheet counts relative to the
+// start of the line. An interval of a closed line may continue past the end of the line, so the changes are applied a
+// second time.
 void add_parts_beside(const CountingInput& in, const Interval& part, std::span<const ChangeBeside> changes,
                       base::Array<Interval>& stretches) {
     const Line& its = in.line(part.line);

@@ -41,7 +41,7 @@ struct Events {
 };
 
 // Collects the events of all lines. Crossings and piercings must have the order of the results of find_crossings() and
-// find_pierced().
+// find_piercings().
 [[nodiscard]] Events collect_events(base::Memory& memory, std::span<const Subject> subjects, const ImageLines& lines,
                                     const base::Array<Crossing>& crossings, std::span<const Piercing> pierced,
                                     const LineLengths& lengths);
@@ -59,13 +59,12 @@ struct Interval {
     std::int32_t begin_piece, end_piece;
     double begin_share, end_share;
     // Positions along the line, in pixels. On a closed line, an interval may end beyond the end of the line.
-    double begin_at, end_at;   // along the line, pixels; an interval that goes round a closed line may end beyond the
-                               // line's end
+    double begin_at, end_at;
     std::int32_t invisibility; // the number of sheets before the interval
     bool begins_at_cusp, ends_at_cusp;
     // The sine of the angle to the nearer line that crosses at this end of the interval; 0 if no line crosses.
     float begin_sine, end_sine;
-    // The occluder whose surface is nearest before the part, or -1. find_hidden_by() sets it.
+    // The index of the occluder whose surface is nearest before the interval, or -1. find_hidden_by() sets it.
     std::int32_t hidden_by = -1;
 };
 
@@ -74,7 +73,8 @@ struct InvisibilityReport {
     std::int64_t lines = 0, closed = 0, cusps = 0, rays = 0;
     std::int64_t rounds = 0;  // the number of rounds in which curves were made finer
     std::int64_t refined = 0; // the number of lines whose counts were contradictory at first
-    // The number of lines whose counts are contradictory in the end. A ray to each of their parts gives its number.
+    // The number of lines whose counts are still contradictory in the last round. On these lines, a ray to each part
+    // counts the sheets before the part.
     std::int64_t settled = 0;
     std::int64_t contradictions = 0; // the number of settled lines that have a part with an uncertain ray
 };
@@ -98,8 +98,8 @@ struct Invisibility {
     InvisibilityReport report;
 };
 
-// Counts the sheets before all lines. The result has the same bits for any number of threads. This is true of the
-// functions below, too.
+// Counts the sheets before all lines. The result has the same bits for any number of threads. The results of the
+// functions below have the same property.
 [[nodiscard]] Invisibility find_invisibility(const base::Work& work, std::span<const Subject> subjects,
                                              std::span<const Occluder> occluders, const InvisibilitySettings& settings);
 
@@ -116,17 +116,19 @@ struct OutlinePart {
 struct Outline {
     explicit Outline(base::Memory& memory) noexcept : parts(memory) {}
 
-    // The parts, line by line and in order along each line. On a closed line they start where its intervals start.
+    // The parts, line by line and in order along each line. On a closed line, the first part starts where the line's
+    // first interval starts.
     base::Array<OutlinePart> parts;
     std::int64_t rays = 0;
-    // The number of lines whose counts are contradictory. A ray to each of their parts gives its number.
+    // The number of lines whose counts are contradictory. On these lines, a ray to each part finds the number of
+    // sheets.
     std::int64_t settled = 0;
 };
 
-// Finds the parts of contours and borders that are the outline of the drawing, its silhouette in the strict sense: on
-// the side where their surface ends, only background is beside them in the image. The number of sheets beside a line
-// changes only where it crosses another line that begins or ends sheets, whichever of the two is nearer; it does not
-// change at the line's own cusps. [Benard & Hertzmann 2019, 4] `wanted` is 1 for each subject to examine.
+// Finds the parts of contours and borders that are the outline of the drawing, its silhouette in the strict sense:
+// beside these parts, on the side where their surface ends, the image shows only background. The number of sheets
+// beside a line changes only where it crosses another line that begins or ends sheets, whichever of the two is nearer;
+// it does not change at the line's own cusps. [Benard & Hertzmann 2019, 4] `wanted` is 1 for each subject to examine.
 [[nodiscard]] Outline find_outline(const base::Work& work, std::span<const Subject> subjects,
                                    std::span<const Occluder> occluders, const Invisibility& found,
                                    const LineLengths& lengths, std::span<const std::uint8_t> wanted);

@@ -10,16 +10,17 @@ namespace hrbfnpr::visibility {
 struct VisibilityTuning {
     // ---- Surfaces and their own lines, in sides of the mesh
 
-    // A surface does not hide its contours if it is nearer than this before them, in mesh sides. Larger: surfaces just
-    // before a line do not hide it.
+    // A surface does not hide its own contour if it is less than this before the contour, in mesh sides. Larger: a
+    // surface just before a line does not hide the line.
     double clearance = 0.02;
-    // A surface does not hide a crease if it is nearer than this before it, in mesh sides. Creases are as exact as the
-    // sheets, and near its ends a crease is close to the sheet that hides it.
+    // A surface does not hide a crease if it is less than this before the crease, in mesh sides. This is smaller than
+    // `clearance`, because creases are as exact as the sheets, and because a crease may be close to the sheet that
+    // hides the crease near its end.
     double crease_clearance = 1e-3;
 
     // ---- Polylines in the image
 
-    // A cubic is halved at most this many times. Larger: finer polylines beside the eye.
+    // A cubic is halved at most this many times. Larger: finer polylines near the eye.
     int most_halvings = 8;
     // Places farther from the image's corner than this, in pixels, are left out, because they are too near to the plane
     // through the eye. Larger: coordinates lose digits.
@@ -38,8 +39,8 @@ struct VisibilityTuning {
     int most_crossings_per_segment = 16;
     // A cell with more segments than this is a tangle, too. Larger: more time for tangles.
     int most_segments = 4096;
-    // Newton's method takes at most this many steps. It ends when a step is shorter than `known`, in lengths of the
-    // piece.
+    // Newton's method takes at most this many steps. It ends when a step is shorter than `newton_tolerance`, in lengths
+    // of the piece.
     int newton_steps = 20;
     double newton_tolerance = 1e-10;
     // Two crossings of the same pieces are merged if they are closer than this, in lengths of the piece.
@@ -49,8 +50,8 @@ struct VisibilityTuning {
     // Two curves that are closer than this at a crossing are the same curve, in mesh sides. Larger: crossings of
     // surfaces that nearly touch are lost.
     double least_gap = 1e-5;
-    // If a line crosses itself with a smaller gap than this, in mesh sides, it is no crossing: the line turns back at a
-    // cusp. Larger: small loops are lost.
+    // If a line crosses itself with a gap smaller than this, in mesh sides, the place is not a crossing but a cusp,
+    // where the line turns back. Larger: small loops are lost.
     double least_loop = 0.02;
     // Contours do not cross a border or other line of their surface if the gap is smaller than this, in mesh sides,
     // because their images touch. Larger: crossings are lost.
@@ -60,13 +61,13 @@ struct VisibilityTuning {
 
     // A crossing is verified if the distance of its curves is below this, in mesh sides. Larger: more time.
     double suspicious_gap = 0.5;
-    // The search for a crossing on the curves ends after this many rounds, or when a step is shorter than `settled`
-    // times the gap between the curves.
+    // The search for a crossing on the curves ends after this many rounds, or when a step is shorter than
+    // `settled_step` times the gap between the curves.
     int verifying_rounds = 8;
     double settled_step = 0.01;
     // The search fails if it moves a place farther than `farthest_crossing`, or if the gap becomes smaller than
-    // `smallest_gap`, both relative to the first gap. A larger distance and a smaller gap keep crossings that the
-    // curves do not have.
+    // `smallest_gap`, both relative to the gap before the search. Larger `farthest_crossing` or smaller `smallest_gap`:
+    // crossings that the curves do not have are kept.
     double farthest_crossing = 0.5;
     double smallest_gap = 0.1;
 
@@ -81,9 +82,9 @@ struct VisibilityTuning {
     // ---- Counting
 
     // Cusps closer than this along a line, in pixels, form a group. On a contradictory line, a part shorter than this
-    // gets the number of the part before it. Larger: small swallowtails that can be seen are ignored.
+    // gets the sheet count of the part before it. Larger: small swallowtails that can be seen are ignored.
     double unseen_length = 0.25;
-    // The branches of a group of cusps cross at most this far from it, in units of `unseen`.
+    // The branches of a group of cusps cross at most this far from it, in units of `unseen_length`.
     double branch_reach = 8.0;
     // The number of rays for each line whose outline is wanted, at most.
     int outline_rays = 3;

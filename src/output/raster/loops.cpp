@@ -28,8 +28,8 @@ struct InkDisc {
     float x, y, radius, alpha, depth;
 };
 
-// Approximates the share of a pixel that a disc covers. It depends on how far the disc's rim lies beyond the pixel's
-// centre.
+// Approximates the share of a pixel that a disc covers. The share depends on the distance from the pixel's centre to
+// the disc's rim.
 HWY_INLINE W coverage(W squared, W outer) {
     const F d;
     return hn::Min(hn::Max(hn::Sub(outer, hn::Sqrt(squared)), hn::Zero(d)), hn::Set(d, 1.0F));
@@ -60,7 +60,7 @@ HWY_INLINE void for_pixels(const DiscTile& t, const InkDisc& disc, Blend&& blend
     }
 }
 
-// Returns 0 where the host's picture is nearer than the disc.
+// Returns `cover`, but 0 for pixels where the host's picture is nearer than the disc.
 HWY_INLINE W disc_before_host(const DiscTile& t, const InkDisc& disc, std::int32_t at, W cover) {
     const F d;
     if (t.host == nullptr) return cover;
@@ -155,9 +155,9 @@ struct Edge {
     std::int32_t next; // the next edge that begins in the same row; -1: none
 };
 
-// The part of an edge in a row. In each pixel column, the edge covers an area to its right: the mean of clamp(right -
-// x, 0, 1) over the height of the part. With F as the integral of clamp, this mean is a difference of F over the range
-// of x.
+// The part of an edge in a row of pixels. In each pixel, the area to the right of the part is the part's height times
+// the mean of clamp(right - x, 0, 1), where `right` is the x of the pixel's right side. If F is the integral of clamp,
+// the mean is the difference of F between the ends of the part, divided by the change of x.
 struct EdgePart {
     float x, way; // x at the part's upper end, and the change of x to its lower end
     float scale;  // the signed height divided by `way`; if the part is steep, the signed height
@@ -222,7 +222,7 @@ struct Row {
     std::int32_t left, right;
 };
 
-// Finds the parts of edges in row y. The list keeps the edges that continue into the next row.
+// Finds the parts of edges in row y. row.edges keeps the edges that continue into the next row.
 HWY_INLINE void find_parts(const Edges& edges, std::int32_t y, std::int32_t width, Row& row) {
     const double top = static_cast<double>(y);
     const double wide = static_cast<double>(width);
@@ -282,7 +282,7 @@ HWY_INLINE W covered(const Row& row, W right) {
     return hn::Min(hn::Max(sum, zero), one);
 }
 
-// The parameters of pixels along the segment, from 0 to 1.
+// The positions of pixels along the segment, from 0 at its first point to 1 at its last point.
 HWY_INLINE W place_along(const Shade& shade, std::int32_t y, W x) {
     const F d;
     const W start = hn::Set(d, shade.from + (static_cast<float>(y) + 0.5F) * shade.step_y);
@@ -303,7 +303,7 @@ HWY_INLINE void add(const StrokeTarget& t, const Shade& shade, std::int32_t y, s
     hn::StoreU(hn::Add(hn::LoadU(d, t.planes.ink + at), hn::Mul(cover, opacity)), d, t.planes.ink + at);
 }
 
-// Returns 0 where the host's picture is nearer than the segment.
+// Returns `cover`, but 0 for pixels where the host's picture is nearer than the segment.
 HWY_INLINE W segment_before_host(const StrokeTarget& t, const Shade& shade, std::int32_t y, std::int32_t x, W cover) {
     const F d;
     if (t.tile.host == nullptr) return cover;
@@ -350,7 +350,7 @@ void draw_outline(const StrokeTarget& t, const Outline& outline, const Shade& sh
 }
 
 HWY_INLINE Shade shade_of(const SegmentList& list, const drawing::StrokePoint& a, const drawing::StrokePoint& b) {
-    // Doubles are needed because a segment may begin far away.
+    // Doubles are needed because a segment may begin far outside the tile.
     const double x = static_cast<double>(b.x) - static_cast<double>(a.x);
     const double y = static_cast<double>(b.y) - static_cast<double>(a.y);
     const double square = x * x + y * y;

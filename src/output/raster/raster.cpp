@@ -31,7 +31,7 @@ struct Job {
     const DrawSettings& settings;
     const RasterLoops& loops;
     const drawing::Tiles& tiles; // the tiles that list the dots
-    glm::ivec2 first_pixel;      // the image's pixel at the corner of the first tile
+    glm::ivec2 first_pixel;      // the image's pixel at the top-left corner of the first tile
     Rect drawn;
     const float* colors; // the array for InkList::colors
     bool published;      // discs are painted in the order of the dots, paper over ink
@@ -54,7 +54,7 @@ struct Job {
 // One tile of the image, and the buffers of its worker.
 struct Canvas {
     std::int64_t number;
-    glm::ivec2 first; // the image's pixel at the tile's corner
+    glm::ivec2 first; // the image's pixel at the tile's top-left corner
     Rect rect;        // the pixels of the image that the tile draws
     float* planes;
     StrokePlanes strokes;
@@ -178,7 +178,8 @@ void store(const Job& job, const Canvas& canvas) noexcept {
 
 // ---- Depth, id and class
 
-// The nearest object at a pixel's centre: a layer, or ink. Ink lies slightly nearer than its layer.
+// The nearest object at a pixel's centre: a depth layer, or ink. Ink counts as slightly nearer than the depth layer of
+// its own surface.
 struct Nearest {
     float depth; // in eye units
     float window;
@@ -209,7 +210,7 @@ void for_all_of_tile(const Job& job, std::int64_t tile, const Note& note) {
              [&](float dx, float dy, Nearest&) { return dx * dx + dy * dy <= radius * radius; });
     });
     if (job.published || drawing.strokes.empty()) return;
-    // A segment has its own depth at each pixel, and the id of its nearer end.
+    // A segment has its own depth at each pixel, and the id of the end that is closer to the pixel.
     drawing.segment_tiles.for_tile(tile, [&](std::uint32_t i) {
         const Stroke& stroke = *stroke_of(drawing, i, drawing.strokes.begin());
         const StrokePoint& a = drawing.points[i];

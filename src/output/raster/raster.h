@@ -163,7 +163,7 @@ struct DiscTile {
     std::int32_t width, height, stride; // stride >= width + 8
     float* transmittance;               // the share of the paper that still shows, from 0 to 1
     float* color[3];                    // the premultiplied colour that inks add; NULL: all inks have one colour
-    const float* host;                  // depth of the host's picture, which falls towards the eye; or NULL
+    const float* host;                  // depth of the host's picture, decreasing towards the eye; NULL: no picture
 };
 
 // A list of inks: inks[numbers[i]] for each i. (left, top) is the tile's first pixel.

@@ -77,7 +77,8 @@ inline bool are_consecutive(const SegmentGroup& a, const SegmentGroup& b, const 
 
 using SegmentGroups = std::array<SegmentGroup, 12>;
 
-// Finds the groups in the list. Returns their number, or size() + 1 if there are more than the array can hold.
+// Finds the groups of the list's segments. Returns the number of groups, or size() + 1 if there are more than the array
+// can hold.
 inline std::size_t find_segment_groups(const SegmentList& list, SegmentGroups& groups) noexcept {
     std::size_t count = 0;
     for (std::int64_t i = 0; i < list.count; ++i) {
@@ -108,7 +109,7 @@ inline std::size_t find_segment_groups(const SegmentList& list, SegmentGroups& g
     const float widest = pointed ? std::max(1.0F, 2.0F * drawing::point_length) : 1.0F;
     for (SegmentGroup& group : std::span(groups).first(count))
         for (std::int64_t i = group.begin; i <= group.end; ++i)
-            // One pixel more, so that no pixel meets two groups.
+            // The box is one pixel larger, so that groups whose boxes do not overlap have no pixel in common.
             group.reach(list.points[i], widest * list.points[i].radius + 1.0F);
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = i + 1; j < count; ++j)
@@ -119,13 +120,15 @@ inline std::size_t find_segment_groups(const SegmentList& list, SegmentGroups& g
 
 // ---- Outlines
 
-// A polygon whose inside lies to the right when y points down. Its first places run up the left side of a line. The
-// right side is stored from the end of the array backwards, until close().
+// A polygon around a line. Its vertices are in such an order that its inside lies to the right, with y pointing down.
+// The left side of the line is stored forwards from the start of the array. The right side is stored backwards from the
+// end of the array, until close() appends it to the left side.
 struct Outline {
     static constexpr std::int32_t most = 416;
-    static constexpr std::int32_t most_of_a_leg = 140; // two quarter circles of 64 chords each, and corners
+    // Room for two quarter circles of 64 chords each, and for corners.
+    static constexpr std::int32_t most_of_a_leg = 140;
     std::int32_t count = 0, back = most;
-    // On the right and on the left, the number of the last places that belong to gentle turns.
+    // On the right side and on the left side: how many of its last vertices belong to gentle turns.
     std::int32_t gentle[2] = {0, 0};
     Place at[most];
 
@@ -281,7 +284,8 @@ private:
     struct Joint {
         Kind kind = Kind::cap;
         bool left_outside = false;
-        // Whether the inner corner of one segment lies outside the other segment.
+        // Whether the inner corner of the first segment lies outside the second segment, and whether that of the second
+        // segment lies outside the first.
         bool corner_a = false, corner_b = false;
         // The ends of the edge that both segments' polygons share. For Kind::shared, `outer` is its left end.
         Place inner{}, outer{};
@@ -318,8 +322,8 @@ private:
             if (find_leg(i, leg)) return;
     }
     // Finds where the inner edges of two legs meet. If the legs have different widths, the edges may miss each other;
-    // then it finds where the end of the wider leg meets the edge of the other leg. Returns false if they do not meet
-    // within the halves of the legs near the joint.
+    // then the function finds where the end of the wider leg meets the edge of the other leg. Returns false if they do
+    // not meet within the halves of the legs near the joint.
     static bool find_inner_corner(const Leg& a, const Leg& b, double side, Joint& joint) noexcept {
         const Place from = a.a + side * a.radius_a * a.left();
         const Place corner_a = a.b + side * a.radius_b * a.left();
@@ -359,7 +363,7 @@ private:
         const double bend = std::abs(sine) * scale; // the tangent of half of the turning angle
         const bool fits = a.radius_b == radius && radius * bend <= 0.5 * std::min(a.length, b.length);
         joint.left_outside = sine >= 0.0;
-        // The corner lies outside the arc over a length of twice this. A pixel meets at most one pixel width of that
+        // The corner lies outside the arc over a length of 2 * reach. A pixel contains at most one pixel width of this
         // length.
         const double reach = radius * bend;
         const double taper = std::max(a.taper, b.taper);
@@ -463,7 +467,8 @@ private:
 
 // The opacity and depth of a segment over the pixels that it covers. They change linearly along the segment.
 struct Shade {
-    float from, step_x, step_y; // the position along the segment, in [0, 1]: from + step . pixel
+    // Position along the segment, in [0, 1], at a pixel: from + step_x * x + step_y * y.
+    float from, step_x, step_y;
     float opacity, more_opacity;
     float window, more_window;
 };
@@ -584,7 +589,8 @@ private:
     };
     // The part of an edge in the current row.
     struct Piece {
-        // `x` is at height 0 of the tile; the others are the heights of the ends and the slope of x.
+        // The y of the upper end and of the lower end; the x of the edge's line at y = 0 in the tile; and the change of
+        // x per unit of y.
         double upper, lower, x, slope;
         double low, high; // the range of x in the row
         std::int32_t winding, shade;
@@ -679,8 +685,8 @@ private:
         spans_.push_back({left.at(from), left.at(to), right.at(from), right.at(to), to - from, shade});
         if (std::find(row_shades_.begin(), row_shades_.end(), shade) == row_shades_.end()) row_shades_.push_back(shade);
     }
-    // Sorts the pieces of a slab from left to right by insertion. They are already sorted by their leftmost places, so
-    // few pieces move.
+    // Sorts the pieces of a slab from left to right by insertion. The pieces are already sorted by their leftmost
+    // places, so few of them move.
     void find_order(double y) {
         order_.clear();
         for (std::int32_t number = 0; number < pieces_.size(); ++number) {
@@ -722,7 +728,8 @@ private:
             left = &piece;
             whose = now;
         }
-        // A sentinel; add() drops edges to the right of the tile.
+        // A sentinel edge to the right of the tile. It ends the last trapezoid, because add() drops edges to the right
+        // of the tile.
         constexpr Piece beyond{0.0, 0.0, 1e9, 0.0, 1e9, 1e9, 0, 0, 1e9};
         if (whose >= 0) add_span(*left, beyond, from, to, whose);
         for (const std::int32_t shade : inside_) winding_[shade] = 0;
@@ -750,7 +757,7 @@ private:
         }
         const auto first = static_cast<std::int32_t>(low);
         const auto last = static_cast<std::int32_t>(high);
-        // The edge is within one pixel: adds the mean area to its right.
+        // The edge lies within one column of pixels. Adds the mean area to the right of the edge.
         if (first == last || first + 1 >= width_ + 1) {
             const double beyond = 0.5 * (low + high) - first;
             steps_[first] += height * (1.0 - beyond);
@@ -775,7 +782,7 @@ private:
     base::Array<std::int32_t> active_;  // edges that cross the row
     base::Array<Piece> pieces_;
     base::Array<double> breaks_;
-    base::Array<std::int32_t> order_;  // the numbers of the pieces in a slab, from left to right
+    base::Array<std::int32_t> order_;  // the indices of the pieces in a slab, from left to right
     base::Array<std::int32_t> inside_; // shades whose winding number is not 0
     base::Array<Span> spans_;
     base::Array<std::int32_t> row_shades_; // the shades of the row

@@ -12,11 +12,11 @@ struct RasterTuning {
     double same_point = 1e-6;
     // The greatest error of an edge, in pixels. Larger: fewer edges, less exact.
     double edge_tolerance = 0.0007;
-    // The greatest distance of an arc's chords from the arc, in pixels. It is multiplied by the chord's length in
-    // pixels if that is below 1. Larger: fewer chords.
+    // The greatest distance of an arc's chords from the arc, in pixels. For a chord shorter than 1 pixel, this distance
+    // is multiplied by the chord's length in pixels. Larger: fewer chords.
     double arc_tolerance = 0.006;
-    // The greatest error of an arc that is a single chord, in pixels. It is smaller because the error is all on one
-    // side.
+    // The greatest error of an arc that is a single chord, in pixels. It is smaller than arc_tolerance, because the
+    // whole arc lies on one side of its chord.
     double chord_tolerance = 0.0008;
     // The tolerances of arcs and chords are multiplied by this if arcs may overlap, because their errors add up.
     double overlap_factor = 0.2;

@@ -43,7 +43,7 @@ struct PagePoint {
     double radius; // half the line's width
 };
 [[nodiscard]] inline glm::dvec2 place_of(const PagePoint& p) noexcept { return {p.x, p.y}; }
-// Returns the point at a share of the way from one point to another.
+// Returns the point at the fraction t of the way from a to b.
 [[nodiscard]] inline PagePoint between(const PagePoint& a, const PagePoint& b, double t) noexcept {
     return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.radius + t * (b.radius - a.radius)};
 }
@@ -195,16 +195,16 @@ struct PageSettings {
     }
 };
 
-// ---- Filters and writers; a filter passes on to the next sink, and both count their lines and dots
+// ---- Filters and writers: a filter passes its output to the next sink; filters and writers count lines and dots
 
 // Cuts the lines of groups that have a line type into the dashes of that type.
 [[nodiscard]] std::unique_ptr<PageSink> line_types(base::Memory& memory, PageSink& next);
 
 class PenTrack;
-// Clips the lines of a group, and keeps them until the group ends. Then it joins lines, drops short ones, fills those
-// that are wider than the pen, drops dots that are too close to others, and passes everything on in the order of a
-// tour. Texts are passed on immediately. Lines are clipped to the page size in `settings`. If `track` is not NULL, it
-// counts the lines that are passed on; otherwise the next sink counts them.
+// Clips the lines of a group, and keeps them until the group ends. Then the filter joins lines, drops short lines,
+// fills lines that are wider than the pen, and drops dots that are too close to other dots. It passes on what remains
+// in the order of a tour. Texts are passed on immediately. Lines are clipped to the page size in `settings`. If `track`
+// is not NULL, it counts the lines that are passed on; otherwise the next sink counts them.
 [[nodiscard]] std::unique_ptr<PageSink> plot_order(base::Memory& memory, PageSink& next, const PageSettings& settings,
                                                    PageCounts& counts, PenTrack* track, const base::Progress& progress);
 
@@ -242,9 +242,10 @@ struct Placement {
     std::string_view name;
     double x = 0.0, y = 0.0;    // the position of the viewport's top-left corner on the page, mm
     double scale = 25.4 / 96.0; // mm per pixel
-    // Whether the view's frame is filled with the drawing's paper; if not, the whole page is.
+    // Whether the view's frame is filled with the drawing's paper. If not, the drawing lies on the paper of the page.
     bool with_paper = true;
-    // Whether this order is kept where inks of different colours overlap; if not, each colour is one group.
+    // Whether inks of different colours are painted from far to near where they overlap. If not, all ink of one colour
+    // is in one group.
     bool far_to_near = true;
 };
 

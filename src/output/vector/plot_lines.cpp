@@ -97,7 +97,7 @@ base::Array<EndPair> find_pairs(PlotLines& lines, double given, bool any_opacity
         const std::int32_t a = free[tree.index(at)];
         PlotLine& line = lines.lines[a / 2];
         const double reach = given > 0.0 ? given : line.width;
-        // One more, because the end itself is among its nearest neighbours.
+        // The array has room for one more neighbour, because the tree also returns the end itself.
         std::array<std::int64_t, plot_tuning.most_neighbours + 1> near;
         const std::int64_t count =
             tree.nearest(tree.points()[at], plot_tuning.most_neighbours + 1, any, any, near.data(), reach);
@@ -136,7 +136,7 @@ EndPairing choose_pairs(const PlotLines& lines, const base::Array<EndPair>& pair
     const auto count = static_cast<std::int32_t>(lines.lines.size());
     EndPairing result{base::Array<std::int32_t>(memory, 2 * std::int64_t{count})};
     std::fill(result.partner.begin(), result.partner.end(), -1);
-    // For each line, another line of its chain or the line itself (union-find).
+    // For each line, its parent in a union-find structure: another line of its chain, or the line itself.
     base::Array<std::int32_t> chain(memory, count);
     base::Array<double> length(memory, count); // the length of each chain, mm, stored at the chain's root
     CancelChecks checks(progress, steps_per_check);
@@ -181,8 +181,8 @@ struct Pass {
     bool used;
 };
 
-// A track for passes, parallel to the centre line at the distance `level` on one side. It exists only where the line's
-// reach exceeds `least`, which the next track inside covers.
+// A track for passes, parallel to the centre line at the distance `level` on one side. The track exists only where the
+// reach of the line exceeds `least`. Up to this reach, the tracks closer to the centre line fill the line.
 struct Track {
     double side, level, least;
 };
@@ -364,8 +364,8 @@ void add_track(Filling& f, const Track& track) {
     close();
 }
 
-// Adds the passes from one side to the other. The innermost passes are either one on the centre line, or two at half a
-// spacing on either side of it, whichever makes the total shorter.
+// Adds the passes from one side to the other. In the middle there is either one pass on the centre line, or a pair of
+// passes at half a spacing on either side of the centre line, whichever makes the total length of the passes shorter.
 void find_passes(Filling& f) {
     f.points.clear();
     f.passes.clear();
@@ -390,7 +390,7 @@ void find_passes(Filling& f) {
     for (int i = 1; i <= levels; ++i) add_track(f, {1.0, level(i), in_pairs && i == 1 ? -1.0 : inside(i)});
 }
 
-// Returns the nearest pass to which the pen can move without leaving the line; -1 without such a pass.
+// Returns the nearest pass to which the pen can move without leaving the line; -1 if there is no such pass.
 std::int64_t nearest_pass(const Filling& f, const dvec2& from, double at, bool& reversed) noexcept {
     double least = plot_tuning.longest_link * f.pen;
     std::int64_t found = -1;
@@ -506,7 +506,8 @@ std::int64_t fill_lines(PlotLines& lines, double tolerance, const base::Progress
         find_nodes(f, points, line);
         double most = 0.0;
         for (const Node& node : f.nodes) most = std::max(most, node.reach);
-        // A pass may be off its place by the tolerance.
+        // Passes are closer together than the pen's width, because the error of a pass may be as large as the
+        // tolerance.
         f.spacing =
             std::max(std::clamp(f.pen - tolerance, plot_tuning.least_spacing * f.pen, plot_tuning.most_spacing * f.pen),
                      2.0 * most / plot_tuning.most_passes);

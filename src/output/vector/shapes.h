@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// For SVG and PDF a line becomes a filled outline, or one or more lines of constant width, made of Bezier curves. For a
-// plotter it becomes straight lines within the tolerance, and the time of the pen is counted.
+// Converts lines and dots to the shapes of file formats. For SVG and PDF a line becomes a filled outline, or one or
+// more lines of constant width, made of Bezier curves. For a plotter it becomes straight lines within the tolerance,
+// and the time of the pen is counted.
 #pragma once
 
 #include "output/vector/page.h"
@@ -67,7 +68,7 @@ inline bool turns_sharply(const PagePoint& a, const PagePoint& b, const PagePoin
     return 2.0 * reach > (1.0 - shape_tuning.least_inner_share) * shorter;
 }
 
-// Adds an end from the corner on the left of the direction `out` to the corner on its right.
+// Adds the cap at an end of a line, from the corner on the left of the direction `out` to the corner on its right.
 inline void add_cap(const PagePoint& p, const glm::dvec2& out, drawing::Cap cap, ShapeSink& sink) {
     const glm::dvec2 centre = place_of(p), from = left_of(out);
     const double r = p.radius;
@@ -77,7 +78,8 @@ inline void add_cap(const PagePoint& p, const glm::dvec2& out, drawing::Cap cap,
     sink.curve_to({centre + r * (out - quarter * from), centre + r * (quarter * out - from), centre - r * from});
 }
 
-// Adds the points of a spiral from the centre outward. A pen of this width fills the disc by drawing it.
+// Adds the points of a spiral from the centre outward. A pen of width `pen_width` that follows the spiral fills the
+// disc.
 inline void add_spiral(const PageDot& dot, double pen_width, double tolerance, base::Array<glm::dvec2>& points) {
     constexpr double turn = 2.0 * std::numbers::pi;
     HRBFNPR_ASSERT(tolerance > 0.0);
@@ -93,7 +95,7 @@ inline void add_spiral(const PageDot& dot, double pen_width, double tolerance, b
     };
     double angle = 0.0;
     for (; pitch * angle < outer; angle += chord) add(angle, pitch * angle);
-    // One full turn at the rim at the end.
+    // The spiral ends with one full turn along the rim.
     for (double rest = 0.0; rest < turn + chord; rest += chord) add(angle + rest, outer);
 }
 
@@ -281,14 +283,14 @@ private:
     base::Array<Side> sides_;
 };
 
-// ---- The way of a pen
+// ---- The path of a pen
 
 // Computes the lines that a pen draws. The object holds working memory, and a result is valid until the next call.
 class PenLines {
 public:
     explicit PenLines(base::Memory& memory) noexcept : places_(memory), line_(memory), keeps_(memory) {}
 
-    // Returns the fewest points of the path that keep it within the tolerance.
+    // Returns as few points of the path as suffice for a polyline within the tolerance of the path.
     std::span<const glm::dvec2> line(const PagePath& path, double tolerance) {
         places_.clear();
         for (const PagePoint& p : path.points) places_.push_back(place_of(p));
@@ -345,7 +347,7 @@ public:
         is_down_ = false;
     }
     void raise() noexcept { is_down_ = false; }
-    // Moves the lowered pen, also by a distance of 0.
+    // Lowers the pen if it is raised, and moves it. If the distance is 0, the pen is lowered all the same.
     void draw(const glm::dvec2& to) noexcept {
         const double way = glm::distance(place_, to);
         if (!is_down_) counts_.seconds += 2.0 * speeds_.seconds;

@@ -14,7 +14,8 @@
 
 namespace hrbfnpr::output {
 
-inline constexpr double most_thousandths = 1e15; // the largest number whose thousandths a double can represent
+// The largest number of thousandths that is written; a double represents it exactly.
+inline constexpr double most_thousandths = 1e15;
 
 // Rounds to thousandths of a millimetre, the unit of all output.
 [[nodiscard]] inline std::int64_t in_thousandths(double number) noexcept {
@@ -63,7 +64,9 @@ public:
     TextOut& precise(double number) {
         char digits[64];
         const double known = std::clamp(number, -most_thousandths, most_thousandths);
-#if defined(__EMSCRIPTEN__) // Emscripten's std::to_chars cannot write doubles this way, but it has only one locale
+// Emscripten's std::to_chars cannot write doubles with a fixed number of decimals; its snprintf does not depend on the
+// host's locale, because Emscripten has only one locale.
+#if defined(__EMSCRIPTEN__)
         return *this << std::string_view(digits,
                                          static_cast<std::size_t>(std::snprintf(digits, sizeof digits, "%.9f", known)));
 #else

@@ -201,8 +201,9 @@ private:
         }
     }
 
-    // Repeatedly swaps two adjacent segments of the tour at a random position and improves the tour again. This double
-    // bridge cannot be undone by a single move. A change that does not shorten the tour is undone.
+    // Repeatedly swaps two adjacent segments of the tour at a random position and improves the tour again. Such a swap,
+    // called a double bridge, cannot be undone by a single 2-opt or Or-opt move. A change that does not shorten the
+    // tour is undone.
     void kick() {
         const std::int64_t most = std::min<std::int64_t>(plot_tuning.longest_swapped, (count_ - 1) / 2);
         if (most < 1) return;
@@ -332,8 +333,8 @@ private:
         }
     }
 
-    // Moves stops into the gap after the position `gap`. The stops in between are shifted, on the side where they are
-    // fewer.
+    // Moves stops into the gap after the position `gap`. The stops between their old place and the gap are shifted, on
+    // the side with fewer stops.
     void shift(std::int64_t first, std::int32_t length, std::int64_t gap, bool reversed) {
         HRBFNPR_ASSERT(length <= plot_tuning.longest_moved);
         Node moved[plot_tuning.longest_moved];

@@ -16,8 +16,8 @@ struct LayOutTuning {
     double least_cell = 4.0;
     // The cells are enlarged if the page would have more than this number of cells times colours. Larger: more memory.
     double most_cells = 4e6;
-    // The greatest number of runs. In the last run, inks are drawn even if they overlap others. Larger: more groups
-    // in the file.
+    // The greatest number of runs. In the last run, overlapping inks may be painted in the wrong order. Larger: more
+    // groups in the file.
     std::int32_t most_runs = 32;
 };
 inline constexpr LayOutTuning lay_out_tuning;
@@ -40,7 +40,7 @@ struct PlotTuning {
 
     // ---- Lines and dots that are too fine for the pen
 
-    // Lines shorter than this are dropped, and so are dots that are closer than this to an earlier dot. In line widths.
+    // Lines shorter than this, in line widths, are dropped. Dots closer than this to an earlier dot are dropped, too.
     double shortest_line = 0.5;
 
     // ---- Filling lines that are wider than their pen: all lengths are in widths of the pen

@@ -29,7 +29,7 @@ using drawing::StrokePoint;
 
 // ---- Groups of ink: the dots of a layer, or the strokes of a layer that a given number of surfaces hides
 
-// Strokes that more surfaces hide are grouped with those that this number of surfaces hides.
+// The largest number of hiding surfaces that has a group. Strokes that more surfaces hide are in this group, too.
 constexpr std::int32_t most_hidden = 31;
 constexpr std::int32_t groups_of_layer = most_hidden + 2;
 
@@ -54,8 +54,9 @@ void for_dots(const Drawing& drawing, const base::Progress& progress, const F& f
 
 // ---- Runs
 
-// The assignment of ink to runs. All groups of a run are painted in order, then those of the next run. An ink belongs
-// to the first run in which it follows all ink of other colours below it. In the last run this order may be violated.
+// The assignment of ink to runs. All groups of a run are painted in order, then those of the next run. A dot or stroke
+// belongs to the first run in which it is painted after all ink of other colours below it. In the last run, this order
+// may be violated.
 struct Runs {
     explicit Runs(base::Memory& memory) noexcept
         : of_stroke(memory), of_dot(memory), has_group(memory), has_layer(memory) {}
@@ -127,11 +128,11 @@ Cells blank_cells(base::Memory& memory, const Drawing& drawing) {
     return cells;
 }
 
-// Paints an ink into the cells that for_cells(visit) visits. Returns the run of the ink.
+// Paints a dot or stroke into the cells that for_cells(visit) visits. Returns the run of the dot or stroke.
 template <class ForCells>
 std::uint8_t paint(Cells& cells, Runs& runs, std::uint32_t layer, std::int32_t group, const ForCells& for_cells) {
     const std::int32_t color = cells.color[layer];
-    std::int32_t most = -1; // the last group of another colour below this ink; -1: none
+    std::int32_t most = -1; // run * groups + group of the last ink of another colour in these cells; -1: none
     for_cells([&](std::int64_t cell) {
         for (std::int32_t other = 0; other < cells.colors; ++other)
             if (other != color) most = std::max(most, cells.painted_where[cell * cells.colors + other]);
@@ -470,7 +471,7 @@ public:
     }
     void end_group() override {
         const bool dashed = group_.line_type > LineType::continuous;
-        if (!dashed) { // the dots of dashed lines are short, and their gaps are intended
+        if (!dashed) { // in dashed lines, short dashes and gaps are intended
             counts_.joined += join_lines(lines_, settings_.plot.join, group_.pen_width > 0.0, progress_);
             drop_short();
         }
@@ -759,7 +760,7 @@ PageCounts write_page(const base::Work& work, const Page& page, const PageSettin
     }
     for (Placement placement : page.placements) {
         placement.with_paper = filled && placement.drawing->paper != paper;
-        placement.far_to_near = !sorted; // if sorted, each pen is used only once
+        placement.far_to_near = !sorted; // if ink is sorted for a pen, each pen is used only once
         lay_out(memory, placement, page.pens, dashed, work.part(done / parts, (done + 1.0) / parts));
         done += 1.0;
         work.update(done / parts);

@@ -185,7 +185,7 @@ private:
         out_ << "<rect x=\"" << frame.left << "\" y=\"" << frame.top << "\" width=\"" << frame.right - frame.left
              << "\" height=\"" << frame.bottom - frame.top << '"';
     }
-    // An id may contain letters, digits and '-'.
+    // Begins a layer of Inkscape. The id of the layer may contain only letters, digits and '-'.
     void begin_layer(std::string_view name) {
         out_ << "<g id=\"";
         if (views_ > 0) out_ << "view-" << views_ << '-';
@@ -483,7 +483,7 @@ constexpr double hpgl_units = 40.0; // units per millimetre
 constexpr double gcode_units = 1000.0;
 // The largest number of places in an HPGL instruction. It is small because old plotters have small buffers.
 constexpr int most_pairs = 64;
-constexpr char end_of_label = '\x03';    // the default terminator, which the instruction DT could change
+constexpr char end_of_label = '\x03';    // the default terminator of labels; the instruction DT could change it
 constexpr double letter_of_height = 0.7; // the width of an HPGL letter, as a share of its height
 constexpr double farthest_unit = 1e15;   // the largest number of units that a double represents exactly
 
@@ -639,13 +639,14 @@ private:
             out_ << p.x << ',' << p.y;
         }
     }
-    // Writes thousandths with a zero before the decimal point, because old plotters need it.
+    // Writes thousandths with a zero before the decimal point, because old plotters need this zero.
     void number(std::int64_t thousandths) {
         if (thousandths < 0) out_ << '-';
         if (thousandths != 0 && std::abs(thousandths) < 1000) out_ << '0';
         out_.thousandths(std::abs(thousandths));
     }
-    // Writes '?' for each character that is a control, not ASCII, or a parenthesis in a G-code comment.
+    // Writes '?' for each control character, for each character outside ASCII, and for each parenthesis in a G-code
+    // comment.
     void ascii(std::string_view text) {
         for (const char c : text) {
             const auto byte = static_cast<unsigned char>(c);

@@ -63,7 +63,7 @@ struct Vertex {
     drawing::MarkSource source;
     bool off_mark = false; // whether the vertex is not at the place of its mark
     std::uint32_t hidden_layers = 0;
-    std::uint32_t hidden_by = index_restart; // index_restart: no layer hides it
+    std::uint32_t hidden_by = index_restart; // index_restart: no layer hides the vertex
 };
 
 void put_field(std::byte* to, const VertexField& field, const Vertex& vertex) noexcept {
@@ -147,8 +147,9 @@ struct Line {
     std::span<const StrokePoint> points;
     bool closed;
 
-    // Returns the unit vector to the left of a segment at point i: the next segment of positive length, or the previous
-    // one, as the last argument says. Returns 0 if no segment has a length.
+    // Returns the unit vector that points to the left of a segment near point i. If `behind` is true, it is the first
+    // segment of positive length after the point, else the last one before the point. Returns 0 if there is no such
+    // segment.
     [[nodiscard]] glm::vec2 across(std::size_t i, bool behind) const noexcept {
         HRBFNPR_ASSERT(i < points.size());
         const std::size_t segments = points.size() - 1;
@@ -162,8 +163,9 @@ struct Line {
         return glm::vec2(0.0F);
     }
 
-    // Returns the offset from point i to the left side. It bisects the two segments' directions and is lengthened so
-    // that both keep their width, but at most doubled.
+    // Returns the offset from point i to the left side. The offset lies on the bisector of the angle between the two
+    // segments at the point. It is longer than the radius where the stroke turns, so that both segments keep their
+    // width, but at most twice as long.
     [[nodiscard]] glm::vec2 side(std::size_t i) const noexcept {
         glm::vec2 before = across(i, false);
         glm::vec2 after = across(i, true);
@@ -211,7 +213,7 @@ void write_dots(const base::Runtime& runtime, const Drawing& drawing, VertexScra
     });
 }
 
-// Writes line strips. Strokes are already sorted from far to near, and each vertex has the number of its point.
+// Writes line strips. Strokes are already sorted from far to near, and each vertex has the index of its point.
 void write_lines(const base::Runtime& runtime, const Drawing& drawing, const Writer& writer) {
     runtime.parallel.for_chunks(drawing.strokes.size(), strokes_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t s = begin; s < end; ++s) {
@@ -270,7 +272,7 @@ void write_indices(const Drawing& drawing, Primitive primitive, std::uint32_t* t
     }
 }
 
-// ---- Numbers for the marks of a set
+// ---- Results for each mark of a point set
 
 // A mark of a run that is drawn.
 struct Drawn {

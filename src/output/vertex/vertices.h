@@ -60,7 +60,7 @@ struct VertexScratch {
         : order(runtime.memory), keys(runtime.memory), shown(runtime.memory), indices(runtime.memory) {}
 
     drawing::DepthSort order;
-    base::Array<std::uint64_t> keys; // depth and number of each shown dot or mark
+    base::Array<std::uint64_t> keys; // sort keys of depth and index, for each shown dot or mark
     base::Array<std::uint8_t> shown; // one flag for each mark of a run: 1 if it is shown, else 0
     base::Array<std::uint32_t> indices;
 };
@@ -69,7 +69,7 @@ struct VertexScratch {
 void write_vertices(const base::Runtime& runtime, const drawing::Drawing& drawing, VertexScratch& scratch,
                     const VertexLayout& layout, std::byte* vertices, std::uint32_t* indices);
 
-// ---- A drawing as numbers for the marks of a point set, in the set's own order
+// ---- Results of a drawing for each mark of a point set, in the order of the set
 
 // Each view has one element for each mark of the layer, or is empty.
 struct MarkViews {
@@ -79,7 +79,7 @@ struct MarkViews {
 // Writes the results of one run. `run` is an index into drawing.runs; a run is one layer of an item.
 void write_mark_results(const drawing::Drawing& drawing, std::int64_t run, const MarkViews& views);
 
-// Returns the numbers of marks that hrbfnpr_drawing_write_mark_indices documents. They are valid until the scratch is
+// Returns the indices of marks, as hrbfnpr_drawing_write_mark_indices documents. They are valid until the scratch is
 // used again.
 [[nodiscard]] std::span<const std::uint32_t> mark_indices(const base::Runtime& runtime, const drawing::Drawing& drawing,
                                                           std::int64_t run, drawing::MarkClass mark_class,
