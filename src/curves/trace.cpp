@@ -260,7 +260,7 @@ struct Paths {
     base::Array<Path> path;
     base::Array<PathPoint> passed;
     // For each run: the indices of its path forwards and of its path backwards, and of the run from which a path leads
-    // to it. -1: there is none.
+    // to it. -1: no path or run.
     base::Array<std::int64_t> forward, backward, before;
     base::Array<std::uint8_t> passed_by; // 1 if another path passes this run, which is then left out
     base::Array<std::int32_t> run_of;    // for each point of the runs: its run

@@ -316,7 +316,7 @@ void StepRunner::evaluate_nearest(std::int32_t root, GroupSearch& search) {
 }
 
 // Walks down the tree of boxes. At each box it keeps the points at which a member in the box may have a value that is
-// not greater than the least value found so far.
+// not greater than the current least value.
 void StepRunner::evaluate_others(std::int32_t root, GroupSearch& search) {
     struct Part {
         std::int32_t node;

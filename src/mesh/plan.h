@@ -83,8 +83,8 @@ enum class EdgesInFile {
     some_are_sharp,
     all_are_sharp,
 };
-// Returns what the normals of a file say about edges. It depends on the number of edges that bend, and on how many of
-// them have separate normals for each face.
+// Returns the meaning of a file's normals for its edges. It depends on the number of edges that bend, and on how many
+// of them have separate normals for each face.
 [[nodiscard]] EdgesInFile plan_edges_of_file(std::int64_t bends, std::int64_t sharp) noexcept;
 
 // The caller's options for a picture. Distances are in diagonals.

@@ -42,7 +42,7 @@ struct Note {
     std::uint32_t figure_count;
     std::array<double, 8> figures;
     String text;
-    String advice; // what the user can do; empty if the text says it
+    String advice; // the remedy for the user; empty if the text names it
     String detail; // more about the note, in one or two sentences; may be empty
 };
 
@@ -97,7 +97,7 @@ private:
     friend class Serving;
     void tell(std::uint32_t severity, std::uint32_t code, std::initializer_list<double> figures, std::string_view text,
               const More& more = {});
-    // After planning, returns the stored stage of the same kind, or null if there is none. During planning, returns
+    // After planning, returns the stored stage of the same kind, or null without such a stage. During planning, returns
     // null.
     [[nodiscard]] FinishedStage* kept_before(std::uint32_t stage) noexcept;
     const FinishedStage& keep(FinishedStage&& finished);

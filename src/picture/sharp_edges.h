@@ -14,7 +14,7 @@ namespace hrbfnpr::picture {
 // left out.
 [[nodiscard]] Vector<Edge> edges_among(const Points& points, const Vector<Edge>& edges, const Points& of, Pool& pool);
 
-// Returns what the sharp edges of a file mean for the mesh. `sharp` has the indices of points.
+// Returns the meaning of a file's sharp edges for the mesh. `sharp` has the indices of points.
 [[nodiscard]] mesh::EdgesInFile said_of_edges(const Points& points, const Vector<Triangle>& triangles,
                                               const Vector<Edge>& sharp, Pool& pool);
 

@@ -177,7 +177,7 @@ struct RunView {
     std::uint32_t layer; // the index of the run's layer in the drawing
 };
 
-// Where the next dot and the next splat are stored, and the counts so far.
+// Where the next dot and the next splat are stored, and the current counts.
 struct GatherOutput {
     Dot* dot;
     Splat* splat;

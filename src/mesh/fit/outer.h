@@ -42,7 +42,7 @@ private:
 
 // Two parts that a fit may join by mistake, because distances do not show topology.
 struct PartContact {
-    std::int32_t one = -1, other = -1; // the indices of the components; -1 if there is none
+    std::int32_t one = -1, other = -1; // the indices of the components; -1 without a component
     glm::dvec3 place{0.0};
     bool may_cross = false; // True if the parts may cross, false if they are only near each other.
 };
