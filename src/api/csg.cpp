@@ -22,7 +22,7 @@ using implicit::CsgNode;
 using Node = hrbfnpr_csg_node;
 using Desc = hrbfnpr_csg_desc;
 
-// The other numbers are checked later, for those kinds of nodes that use them.
+// Sizes, radii, heights, distances, blends and exponents are checked later, for the kinds of nodes that use them.
 constexpr auto node_fields() noexcept {
     return FieldTable{field("kind", &Node::kind, &CsgNode::kind, rule::OneOf{HRBFNPR_CSG_TORUS, "HRBFNPR_CSG_*"}),
                       field("parent", &Node::parent, &CsgNode::parent, rule::Any{}),
@@ -70,7 +70,7 @@ hrbfnpr_csg_info defaults() noexcept {
 
 namespace {
 
-constexpr double smallest_box = 1e-100; // the smallest diagonal of a box, as for custom models
+constexpr double smallest_box = 1e-100; // the smallest diagonal of a bounding box; the same limit as for custom models
 
 void set_transform(const char* name, const Node& given, CsgNode& node) {
     const double(&m)[16] = given.transform;
@@ -157,8 +157,8 @@ geometry::Bounds given_bounds(const Desc& desc) {
     return bounds;
 }
 
-// Returns the box of the model. It is enlarged, so that the search box, which adds a margin, contains the whole
-// surface.
+// Returns the bounding box of the model. The box is large enough that the search box, which is this box with a margin,
+// contains the whole surface.
 geometry::Bounds found_bounds(const implicit::CsgPlan& plan) {
     const implicit::CsgBox whole = plan.whole;
     if (whole.empty())

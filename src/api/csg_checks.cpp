@@ -10,7 +10,8 @@ namespace {
 using implicit::CsgKind;
 using implicit::CsgNode;
 
-constexpr double most_stretch = 1e4; // The largest stretch of a transform, as a multiple of its least stretch.
+// The largest allowed ratio of the largest to the smallest stretch factor of a transform.
+constexpr double most_stretch = 1e4;
 
 void check_transform(const char* name, const CsgNode& node) {
     const implicit::StretchFactors stretch = implicit::stretch_factors(node.linear);

@@ -26,12 +26,13 @@ public:
     CsgSolid& operator=(const CsgSolid&) = delete;
     ~CsgSolid();
 
-    // Add the nodes first, each after its parent. The first node is the root, whatever parent it names. The first
-    // function adds a whole tree in place of a leaf, the second a single node. Both return the index of the first node
-    // added.
+    // Call these functions before plan(), and add each node after its parent. The first node is the root, whatever
+    // parent it names. The first function adds the whole tree of `of` in place of the leaf `in_place_of`. The second
+    // function adds a single node. Both functions return the index of the first node that they added.
     std::int64_t add(const CsgSolid& of, const implicit::CsgNode& in_place_of);
     std::int64_t add(const implicit::CsgNode& node);
-    // Returns the number of a model for CsgNode::model, and keeps the model. The same model always has the same number.
+    // Returns the index of a model in models(), for CsgNode::model, and adds a reference to a new model. Repeated calls
+    // for a model return the same index.
     [[nodiscard]] std::int64_t leaf(const hrbfnpr_model& model);
 
     // Makes the function. Call it after all nodes have been added.
@@ -39,7 +40,7 @@ public:
     [[nodiscard]] const implicit::CsgPlan& planned() const noexcept { return *plan_; }
     void finish(const geometry::Bounds& bounds);
 
-    // These functions may be called after finish().
+    // The functions below may be called only after finish().
     [[nodiscard]] const implicit::Csg& function() const noexcept { return *function_; }
     [[nodiscard]] const implicit::Implicit& implicit_for(double evaluations, const base::Progress& progress) const;
     [[nodiscard]] const implicit::CsgTree& tree() const noexcept { return tree_; }

@@ -237,7 +237,7 @@ void write_vertices(const hrbfnpr_drawing& handle, const hrbfnpr_vertex_layout& 
 
 // ---- Marks ---------------------------------------------------------------------------------
 
-// Returns the index of an item's layer in the drawing's runs.
+// Returns the index of the run of an item's layer in the drawing. A drawing has one run for each layer of each item.
 std::int64_t run_number(const drawing::Drawing& drawing, std::int64_t item, std::int64_t layer) {
     if (item < 0 || item >= drawing.items.size())
         fail(Status::invalid_argument, "item is %lld; it must be at least 0 and below the number of items, %lld",

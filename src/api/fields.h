@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One table of a struct's fields replaces three lists: defaults, checks, and the copy into the settings of the room
-// below.  A row has a field's name, its member, the settings' member that keeps it, and a rule:
+// that uses them. A row has the name of a field, its member of the struct, the member of the settings that stores its
+// value, and a rule:
 //
 //   constexpr auto project_fields() noexcept {
 //       return FieldTable{
@@ -9,8 +10,8 @@
 //   }
 //   static_assert(project_fields().covers<hrbfnpr_project_desc>());
 //
-// Rules between fields are written out beside the table.  The table is a function, because GCC puts a constant tuple
-// into writable memory.
+// Rules that involve several fields are written as code beside the table. The table is a function, because GCC puts a
+// constant tuple into writable memory.
 #pragma once
 
 #include "api/checks.h"
@@ -64,7 +65,7 @@ struct PositiveUpTo {
     }
 };
 
-struct Between { // numbers between two ends, which are allowed, too
+struct Between { // numbers from `low` to `high`, both included
     double low, high;
     template <class T>
     void operator()(const Checks& checks, const char* field, T value) const {
@@ -72,7 +73,7 @@ struct Between { // numbers between two ends, which are allowed, too
     }
 };
 
-struct StrictlyBetween { // numbers between two ends, which are not allowed
+struct StrictlyBetween { // numbers between `low` and `high`, both excluded
     double low, high;
     template <class T>
     void operator()(const Checks& checks, const char* field, T value) const {
@@ -113,7 +114,7 @@ struct NotNull { // a pointer that must not be NULL
 };
 
 template <class Rule>
-struct AllNumbers { // the elements of an array; messages have the field's name
+struct AllNumbers { // a rule for each element of an array; messages name the field
     Rule rule;
     template <class T, std::size_t count>
     void operator()(const Checks& checks, const char* field, const T (&values)[count]) const {
@@ -124,7 +125,7 @@ template <class Rule>
 AllNumbers(Rule) -> AllNumbers<Rule>;
 
 template <class Rule>
-struct IndexedNumbers { // the elements of an array; messages have the element's name, such as "field[2]"
+struct IndexedNumbers { // a rule for each element of an array; messages name the element, such as "field[2]"
     Rule rule;
     template <class T, std::size_t count>
     void operator()(const Checks& checks, const char* field, const T (&values)[count]) const {

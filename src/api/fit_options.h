@@ -7,8 +7,8 @@
 
 namespace hrbfnpr::api {
 
-// Returns kernel, solver and regularization of a fit whose samples the library chooses.  Throws Error{invalid_argument}
-// if samples, or settings for their choice, are given.
+// Returns the kernel, solver and regularization for a fit whose samples the library chooses. Throws
+// Error{invalid_argument} if the caller gives samples, or settings for choosing samples.
 [[nodiscard]] fit::FitInput checked_options(const hrbfnpr_fit_desc& desc);
 
 } // namespace hrbfnpr::api

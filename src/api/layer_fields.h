@@ -18,7 +18,7 @@ static_assert(static_cast<int>(hatching::Guide::sections) == HRBFNPR_HATCH_GUIDE
 static_assert(static_cast<int>(hatching::Guide::light) == HRBFNPR_HATCH_GUIDE_LIGHT);
 static_assert(static_cast<int>(hatching::Guide::silhouette) == HRBFNPR_HATCH_GUIDE_SILHOUETTE);
 
-// The fields that each room keeps in its settings for a layer, one function per room.
+// Each function below returns the table of the fields that one room stores in its settings for a layer.
 [[nodiscard]] constexpr auto layer_fields() noexcept {
     using Given = hrbfnpr_layer_desc;
     using To = generate::LayerSettings;

@@ -39,7 +39,8 @@ hrbfnpr_line_set_info defaults() noexcept {
 
 namespace {
 
-// A model is prepared for this many evaluations, because each frame evaluates it again for its camera.
+// The number of evaluations for which a model is prepared. It is large, because each frame evaluates the model again
+// for its camera.
 constexpr double expected_evaluations = 1e6;
 constexpr std::int64_t most_lines = 65536;
 

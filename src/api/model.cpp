@@ -165,7 +165,7 @@ namespace {
 
 // The smallest diagonal of a box, as for fits. It keeps squares and cubes of lengths inside the range of a double.
 constexpr double smallest_fit_box = 1e-100;
-// The shares of the progress at which the fit, and the search for the box, end. The trim follows.
+// The shares of the progress at which the fit ends, and at which the search for the box ends. The trim follows.
 constexpr double end_of_fit = 0.9;
 constexpr double end_of_bounds = 0.91;
 

@@ -28,11 +28,11 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         : Child(context),
           surface(std::in_place_type<hrbfnpr::implicit::SheetTree>, context.runtime.instruction_set, std::move(pieces)),
           report(fit), history(context.runtime.memory) {}
-    // Makes a trimmed model. Its function is that of `of`, and its surface ends where the trim says, if a trim is
-    // given. If `of` is trimmed, its trim is not used.
+    // Makes a trimmed model with the function of the model `of`. If `found` has a trim, the surface ends where this
+    // trim says. If the model `of` is trimmed itself, its own trim is not used.
     hrbfnpr_model(hrbfnpr_context& context, const hrbfnpr_model& of, hrbfnpr::generate::FoundTrim&& found);
     ~hrbfnpr_model();
-    // From here on, the model must call the caller's release function when it is destroyed.
+    // A model that this constructor made calls the caller's release function when it is destroyed.
     hrbfnpr_model(hrbfnpr_context& context, const hrbfnpr::implicit::CustomFunction& custom) noexcept
         : Child(context), surface(std::in_place_type<hrbfnpr::implicit::Custom>, custom),
           history(context.runtime.memory) {}
@@ -88,8 +88,8 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
 
     std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::SheetTree, hrbfnpr::implicit::Custom,
                  std::unique_ptr<hrbfnpr::api::CsgSolid>, std::monostate>
-        surface; // std::monostate in a trimmed model, whose function is that of whole()
-    // `report` and `history` are set only in whole().
+        surface; // std::monostate in a trimmed model, which uses the function of untrimmed()
+    // `report` and `history` are set only in a model that is not trimmed.
     hrbfnpr::fit::FitReport report;
     // The residuals after the iterations of a fit; empty if the model is not a fit.
     hrbfnpr::base::Array<double> history;
@@ -113,6 +113,6 @@ private:
         std::unique_ptr<hrbfnpr::implicit::Implicit> implicit; // null if the prepared function would not be accurate
     };
     mutable std::array<Preparation, ways> preparations_;
-    // The prepared functions of whole() with this model's trim, in the order of preparations_.
+    // The prepared functions of untrimmed() with this model's trim, in the order of preparations_.
     mutable std::array<std::optional<hrbfnpr::implicit::Trimmed>, ways> ready_trimmed_;
 };

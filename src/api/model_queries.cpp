@@ -79,7 +79,7 @@ public:
 
     [[nodiscard]] const implicit::FieldBatch& fields() const noexcept { return fields_; }
 
-    // Writes elements of the block. Element `from` of the block is element first + from of the outputs.
+    // Writes the elements `from` to `to` - 1 of the block. Element i of the block is element first + i of the outputs.
     void write(std::int64_t from, std::int64_t to, std::int64_t first) const {
         const CheckedOutput value("value");
         const CheckedOutput gradient("gradient");

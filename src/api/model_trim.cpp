@@ -70,7 +70,8 @@ geometry::VecArray points_of(const hrbfnpr_model& model, const hrbfnpr_trim_desc
          static_cast<long long>(i));
 }
 
-// Returns the given normals. If none are given, returns the normals of the samples or, without these, of the surface.
+// Returns the caller's normals for the points. If the caller gives neither normals nor points, returns the normals of
+// the model's samples. Otherwise, or if the samples have no normals, returns the normals of the surface at the points.
 geometry::VecArray normals_of(const hrbfnpr_model& model, const hrbfnpr_trim_desc& desc,
                               const geometry::VecArray& points, const base::Progress& progress) {
     base::Memory& memory = model.runtime().memory;

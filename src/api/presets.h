@@ -22,7 +22,7 @@ struct Preset {
 
 namespace rule {
 
-// Checks that a value is the number of a preset.
+// Checks that a value is one of the HRBFNPR_PRESET_* constants.
 struct KnownPreset {
     void operator()(const Checks& checks, const char* field, std::int64_t value) const {
         checks.one_of(field, value, static_cast<std::uint32_t>(presets().size()), "HRBFNPR_PRESET_*");

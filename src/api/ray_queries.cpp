@@ -56,7 +56,8 @@ hrbfnpr_ray_hits defaults() noexcept {
 
 namespace {
 
-constexpr std::int64_t rays_at_once = 65536; // The number of points, or of places for hits, in one block.
+// The largest number of points in a block; for rays, the largest number of hits in a block.
+constexpr std::int64_t rays_at_once = 65536;
 
 RaySettings checked(const hrbfnpr_cast_desc& desc) {
     cast_fields().check("cast_desc", desc);

@@ -141,8 +141,8 @@ private:
     const Items& items_;
 };
 
-// Returns an idle drawing, which only the renderer holds, or a new drawing, with a reference for the caller.  All idle
-// drawings release their point sets.
+// Returns an idle drawing or, if there is none, a new drawing, with a reference for the caller. A drawing is idle if
+// only the renderer holds a reference to it. All idle drawings release their point sets.
 hrbfnpr_drawing* idle_drawing(hrbfnpr_renderer& renderer) {
     hrbfnpr_drawing* idle = nullptr;
     for (hrbfnpr_drawing* drawing : renderer.drawings) {

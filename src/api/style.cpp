@@ -53,7 +53,8 @@ void add_layers(const Style& style, const char* owner, base::Array<frame::LayerS
     }
 }
 
-// Returns the caller's numbers, which must be packed. They must stay valid until the call ends.
+// Returns a view of the caller's levels of isophotes; it is empty for other kinds of lines. The levels must be packed,
+// and must stay valid until the call ends.
 std::span<const double> levels_of(const LineStyle& style, const char* owner) {
     char name[112];
     std::snprintf(name, sizeof name, "%.95s.levels", owner);

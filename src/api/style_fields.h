@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The field tables of styles. IndexedNumbers row checks a field, copies it to the settings of the frame, and contains
-// its default.
+// The field tables of styles. Each row checks a field, copies it to the settings of the frame, and contains its
+// default.
 #pragma once
 
 #include "api/fields.h"

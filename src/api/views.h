@@ -25,8 +25,8 @@ struct ArrayType {
 inline constexpr ArrayType points_type{3, float_types};
 inline constexpr ArrayType number_type{1, float_types};
 
-// These throw Error{invalid_argument} that names the array.  An array without elements, or not given (data NULL, count
-// 0), gives an empty view.
+// The functions below throw Error{invalid_argument} with a message that names the array. An array without elements, or
+// not given (data NULL, count 0), gives an empty view.
 [[nodiscard]] base::InView in_view(const hrbfnpr_array& array, const char* name, ArrayType type);
 // The array must have exactly `count` elements, or be absent.
 [[nodiscard]] base::InView in_view(const hrbfnpr_array& array, const char* name, ArrayType type, std::int64_t count);

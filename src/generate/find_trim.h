@@ -17,11 +17,12 @@
 namespace hrbfnpr::generate {
 
 struct TrimSettings {
-    double limit = 1.5; // in diagonals: a hole stays closed if all its points are within this distance of a sample
-    double hole = 0.05; // in diagonals: closer samples are treated as this far apart
-    // The largest distance of a sample from the surface, if the surface was fitted to these samples.
+    double limit = 1.5; // the largest s (surface/support.h) at a place that samples support
+    double hole = 0.05; // in diagonals: a hole stays closed if all its points are within this distance of a sample
+    // In diagonals: spacings of samples that are smaller than this are raised to it.
     double closest = 0.0;
-    // The largest distance of a sample from the surface, if the surface was fitted to the samples.
+    // The largest distance of a sample from the surface, in units of the object. Infinite if the distance is unknown,
+    // because the surface was not fitted to these samples.
     double off = std::numeric_limits<double>::infinity();
 };
 
@@ -39,14 +40,15 @@ struct FoundTrim {
     TrimReport report;
 };
 
-// Returns the implicit function to use for an expected number of evaluations. It may take time to prepare a faster one.
+// Returns the implicit function to use for an expected number of evaluations. The call may prepare a faster function
+// first, which takes time.
 using ImplicitFor = std::function<const implicit::Implicit&(double evaluations, const base::Progress& progress)>;
 
 // Finds the parts of a surface to leave out. `position` and `normal` (unit) are those of one or more samples.
 //
-// 1. If the samples are on the surface, a first look follows it only from samples that are not surrounded by others
-// (surface/surrounded.h). It stops where surrounded samples support the surface. If it finds nothing to leave out, the
-// whole surface stays.
+// 1. If the samples are on the surface, a first look follows the surface only from samples that are not surrounded by
+// others (surface/surrounded.h). The look stops where surrounded samples support the surface. If the look finds nothing
+// to leave out, the whole surface stays.
 // 2. The surface is followed from all samples, on cells of half a spacing, within the box in which marks may lie.
 // 3. Connected cells where s exceeds the limit form parts. A part is left out if it reaches the end of the box, or if
 // it is larger than a hole between samples.
@@ -56,10 +58,11 @@ using ImplicitFor = std::function<const implicit::Implicit&(double evaluations, 
                                   const geometry::VecArray& position, const geometry::VecArray& normal,
                                   const TrimSettings& settings);
 
-// Returns the box of a surface through samples at `position`. It is the implicit function's box, except for up to 20
-// 000 samples along curves. Their surface bulges out of that box between wires, and beyond the first and last of
-// several cross sections. If the surface closes within a third of a diagonal around the samples, the result contains
-// that box and the closed surface.
+// Returns the bounding box of a surface through samples at `position`. In most cases, this is the box of the implicit
+// function. If samples lie along curves, and there are at most 20000 of them, the surface may bulge out of the
+// function's box: between the curves of a wire frame, or outside the first and last of several cross sections. In this
+// case, if the surface closes within a third of a diagonal around the samples, the result contains both the function's
+// box and the closed surface.
 [[nodiscard]] geometry::Bounds closed_bounds(const base::Work& work, const implicit::Implicit& implicit,
                                              const geometry::VecArray& position);
 

@@ -110,8 +110,9 @@ struct GrowingLayer {
         : settings(its), place(number), site(all), marks(all.memory()) {
         site.random_seed = marks::layer_seed(all.random_seed, its.kind, number_of_kind);
     }
-    // Returns the site with the layer's share of the progress. Seeds take the first tenth of the whole progress,
-    // assembling takes the last part, and the layers share the rest.
+    // Returns the site with the layer's share of the progress. Seeds take the first tenth of the whole progress, the
+    // preparation of the layers takes the second tenth, and assembling takes the last twentieth. The layers share the
+    // rest equally.
     [[nodiscard]] marks::Site part_of(const GenerateInput& input) const noexcept {
         const double each = 0.75 / static_cast<double>(input.settings.layers.size());
         const double first = 0.2 + each * static_cast<double>(place);
@@ -215,9 +216,9 @@ double spread_stipples(const GenerateInput& input, const stipples::SurfaceCells&
     return even.area;
 }
 
-// Places the lines of a layer of hatching. Layers that differ only in their angles share the samples on which lines are
-// placed, through `last`. The samples do not depend on the other layers, because they have separate cells. Returns the
-// area of the surface.
+// Places the lines of a layer of hatching. Layers that differ only in the angle of their lines share a HatchingField,
+// through `last`. The field has its own cells and uses the random seed of the set, so it does not depend on the other
+// layers. Returns the area of the surface.
 double place_hatching(const GenerateInput& input, GrowingLayer& layer, std::optional<hatching::HatchingField>& last,
                       marks::LayerReport& report) {
     const base::Stopwatch watch;

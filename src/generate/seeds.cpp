@@ -51,7 +51,7 @@ void seeds_in_box(const marks::Site& site, const Settings& settings, std::int32_
     std::array<std::int64_t, 3> cells{};
     glm::dvec3 covered;
     for (int axis = 0; axis < 3; ++axis) {
-        // If a side is a whole number of cells up to rounding, that whole number is used.
+        // If a side of the box is a whole number of cells long, up to rounding errors, this number of cells is used.
         std::int64_t& number = cells[static_cast<std::size_t>(axis)];
         number = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(size[axis] / side - 1e-9)));
         covered[axis] = side * static_cast<double>(number);
@@ -69,10 +69,10 @@ void seeds_in_box(const marks::Site& site, const Settings& settings, std::int32_
     settle_seeds(site, start, seeds.step, seeds);
 }
 
-// Makes seeds from samples or from given points. They are on or near the surface; a smoothed fit may not pass through
-// its samples. So they are projected like all seeds, with the model's diagonal as the limit. The step is the average
-// diameter of empty balls: the largest ball that has a seed and its nearest neighbour at the ends of a diameter, and no
-// seed inside, is as wide as the distance between the two. So the step is the mean distance to the nearest neighbour.
+// Makes seeds from samples or from given points. These are on the surface or near it, because a smoothed fit may not
+// pass through its samples. So they are projected like all seeds, with the model's diagonal as the limit. The article's
+// step is the mean diameter of empty balls. For each seed, the ball touches the seed and its nearest neighbour at the
+// ends of a diameter, and has no seed inside. So the step is the mean distance to the nearest neighbour.
 void seeds_at(const marks::Site& site, const geometry::VecArray& start, marks::Seeds& seeds) {
     settle_seeds(site.part(0.0, 0.9), start, site.implicit.diagonal(), seeds);
     const double mean = marks::neighbour_distances(site.work.part(0.9, 1.0), seeds.position).mean;

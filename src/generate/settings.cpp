@@ -17,7 +17,8 @@ std::size_t directions_of(const Settings& settings, const LayerSettings& layer) 
     return layer.has_strokes() && settings.distribution == marks::Distribution::published ? 2 : 1;
 }
 
-// Sets missing tone ranges: to all tones, or, if layers appear in turn, to an equal share for each layer.
+// Sets the tone ranges that are missing: to all tones or, with ToneRanges::in_turn, to parts of equal length for all
+// directions of all layers.
 void fill_parts(Settings& settings) {
     HRBFNPR_ASSERT(!settings.layers.empty());
     double all = 0.0;

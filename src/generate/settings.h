@@ -24,7 +24,7 @@ struct LayerSettings {
     bool with_curvature = false; // whether Layer::curvature is filled
     // The length over which normals for tone are averaged, in diagonals. -1: completed() chooses it.
     double tone_smoothing = -1.0;
-    // The tone range of each of the two directions. If both are 0, Settings::tone_ranges decides.
+    // The tone range of each of the two directions. If `begin` and `end` are both 0, Settings::tone_ranges decides.
     std::array<marks::TonePart, 2> part{marks::TonePart{0.0, 0.0}, marks::TonePart{0.0, 0.0}};
     stipples::DensitySettings density;
     hatching::Settings hatching;

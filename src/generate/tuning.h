@@ -31,8 +31,8 @@ struct GenerateTuning {
     // ---- Seeds (seeds.cpp)
 
     // Samples become seeds of the published recursions if the standard deviation of their distances to nearest
-    // neighbours is below this share of the mean. It is 0.2 to 0.4 for vertices of meshes, and 0.52 for random points.
-    // Larger: less even seeds.
+    // neighbours is below this share of the mean. The ratio of deviation to mean is 0.2 to 0.4 for vertices of meshes,
+    // and 0.52 for random points. Larger: less even seeds.
     double well_spread_variation = 0.5;
     // The least resolution of the box for BLUE_NOISE, which needs one seed on each sheet of the surface. Larger: fewer
     // sheets are missed, but more time.
@@ -44,19 +44,20 @@ struct GenerateTuning {
 
     // ---- The end of a surface (find_trim.cpp)
 
-    // The number of cells per spacing of the samples, on which the surface is followed. The number of cells along the
-    // region's diagonal is kept between the two bounds below. Larger: sharper ends, but more time and memory.
+    // The surface is followed on cells whose side is the spacing of the samples divided by this. The number of cells
+    // along the region's diagonal is kept between the two bounds below. Larger: sharper ends, but more time and memory.
     double cells_a_spacing = 2.0;
-    double coarsest_cells = 32.0; // the bound includes cells in the margin
+    double coarsest_cells = 32.0; // these two bounds include cells in the margin
     double finest_cells = 256.0;
-    // The first look uses cells as large as a spacing. It multiplies all limits by this factor to be cautious. Larger:
-    // it finds less.
+    // The first look is cautious: it uses cells with a side of one spacing, and multiplies the limits for holes by this
+    // factor. Larger: the first look finds fewer parts to leave out.
     double caution_factor = 0.7;
     // Samples count as on the surface if they are closer to it than this, in spacings. Larger: the first look also
     // decides about noisier samples.
     double on_surface = 0.25;
-    // If s reaches this value, a place is certainly unsupported. Beyond a border, s reaches it at about 0.8 times the
-    // distance of sixth neighbours; in the middle of a hole, at 1.7 times. Larger: more holes stay closed.
+    // If s reaches this value, a place is certainly unsupported. Let d be the distance of a sample to its sixth nearest
+    // neighbour. Outside a border, s reaches this value about 0.8 d from the samples; in the middle of a hole, about
+    // 1.7 d from them. Larger: more holes stay closed.
     double unsupported_limit = 6.0;
     // The expected number of evaluations for the whole surface, and for each sample at which the first look begins.
     // Both are guesses. Larger: functions are prepared more often.

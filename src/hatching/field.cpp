@@ -27,7 +27,7 @@ namespace {
     return size > 0.0 ? z / size : z;
 }
 
-// ---- Numbers as seen from neighbours
+// ---- Transport of numbers along links
 
 struct Link {
     Complex factor; // the factor that transports the number of node `to` to the node where the link begins
@@ -66,7 +66,7 @@ public:
     [[nodiscard]] double count(std::int64_t i) const noexcept {
         return static_cast<double>(graph_.first[i + 1] - graph_.first[i]);
     }
-    // Returns the sum of the neighbours' numbers, as seen from node i.
+    // Returns the sum of the neighbours' numbers after their transport to node i.
     [[nodiscard]] Complex neighbour_sum(std::int64_t i, const Numbers& z) const noexcept {
         Complex sum(0.0);
         for (std::int64_t k = graph_.first[i]; k < graph_.first[i + 1]; ++k) {
@@ -76,7 +76,7 @@ public:
         }
         return sum;
     }
-    // Returns the mean of the numbers of node i and its neighbours, as seen from node i.
+    // Returns the mean of the number of node i and its neighbours' numbers after their transport to node i.
     [[nodiscard]] Complex mean(std::int64_t i, const Numbers& z) const noexcept {
         return (neighbour_sum(i, z) + z[i]) / (1.0 + count(i));
     }
@@ -228,9 +228,9 @@ Complex in_frame(const SampleGraph& graph, std::int64_t i, const glm::dvec3& v) 
     return {glm::dot(v, graph.u[i]), glm::dot(v, glm::cross(graph.normal[i], graph.u[i]))};
 }
 
-// Returns a line that helps near the silhouette. It is conjugate to the tangent part of the direction to the eye,
-// II(view, line) = 0, as the tangent of a silhouette is. Where the surface faces the eye, its weight is small.
-// [Hertzmann & Zorin 2000]
+// Returns the line for Guide::silhouette. The line is conjugate to the tangent part of the direction to the eye:
+// II(view, line) = 0. The tangent of a contour has this property, too. Where the surface faces the eye, the weight of
+// the line is small. [Hertzmann & Zorin 2000]
 Complex silhouette_line(double mean, const Complex& difference, const Complex& view, double diagonal) noexcept {
     // The direction to the eye, transformed by the shape operator.
     const Complex turned = mean * view + difference * std::conj(view);
@@ -259,8 +259,9 @@ Complex guide_line(const SampleGraph& graph, std::int64_t i, const AveragedCurva
     return line * line;
 }
 
-// Returns the line around the axis. Its weight is the squared sine of the angle between axis and normal. On a flat face
-// between creases that is perpendicular to the axis, neighbours give only rounding errors, so another axis is used.
+// Returns the line that runs around the axis. Its weight is proportional to the squared sine of the angle between the
+// axis and the normal, so it is 0 on a flat face perpendicular to the axis. If such a face ends at creases, its
+// neighbours cannot give it a direction either, so another axis is added.
 Complex axis_line(const SampleGraph& graph, std::int64_t i, const FieldSettings& settings,
                   const Complex& wanted) noexcept {
     const auto around = [&](const glm::dvec3& axis, double weight) {
@@ -308,8 +309,8 @@ Links wave_links(const base::Work& work, const Graph& graph, const Waves& waves,
 }
 
 // Returns the wave on which neighbours agree most: the eigenvector of the smallest eigenvalue, by inverse iteration.
-// The eigenvector is large only in a few places, but its phase is correct elsewhere, too. It grows by at most the
-// factor 1 / eigen_shift in each step, so it cannot overflow.
+// The eigenvector is large only in a few places, but its phase is correct elsewhere, too. Each step enlarges the vector
+// by at most the factor 1 / eigen_shift, so it cannot overflow.
 Numbers first_wave(const base::Work& work, const Links& links, std::uint64_t seed) {
     const std::int64_t n = links.nodes();
     base::Array<double> diagonal(work.memory, n);
@@ -386,7 +387,8 @@ void interpolate(const Waves& samples, base::Array<WeightedSample>& nearby, cons
     for (std::int64_t level = 0; level < samples.level.size(); ++level) {
         Complex sum(0.0);
         for (WeightedSample& h : nearby) {
-            if (level > 0) h.factor = product(h.factor, h.factor); // Each level has half the period of the one before.
+            // Each level has half the period of the previous level.
+            if (level > 0) h.factor = product(h.factor, h.factor);
             sum += h.weight * product(h.factor, conjugated_if(samples.level[level][h.sample], h.turned));
         }
         result.level[level][vertex] = sum / weights;
@@ -426,7 +428,8 @@ Waves interpolated(const base::Work& work, const SampleGraph& graph, const Waves
     return result;
 }
 
-// Makes a graph in which neighbours are mutual. The mesh lists a border edge for only one of its ends.
+// Makes the graph of the edges of a mesh. The two ends of an inner edge are neighbours of each other. A border edge is
+// listed once in the mesh, so only its start has its end as a neighbour.
 Graph graph_of(base::Memory& memory, const curves::SurfaceMesh& mesh) {
     Graph graph(memory);
     graph.first.resize(mesh.vertices() + 1);
@@ -458,7 +461,7 @@ void link_samples(const base::Work& work, SampleGraph& graph) {
     graph.u.resize(n);
     for (std::int64_t i = 0; i < n; ++i) graph.u.set(i, geometry::any_perpendicular(graph.normal[i]));
     const geometry::Neighbours near(work.runtime().parallel, graph.position, hatching_tuning.neighbours, work);
-    // The start node in the upper half of each number, the end node in the lower half.
+    // Each number has the index of a start node in its upper 32 bits, and of an end node in its lower 32 bits.
     base::Array<std::uint64_t> links(work.memory);
     for (const std::int64_t i : work.over(n)) {
         for (const std::int64_t j : near.of(i)) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Complex numbers at the nodes of a graph. They are lines of a field (directions without a sign, as exp(2 i angle)) at
 // even samples of the surface, or waves (as exp(i phase)) at samples or at the vertices of a mesh. Crests of waves run
-// along the lines of the field. Each wave has half the period of the one before, so that every crest of a wave is also
-// one of the next wave.                                                [Knoeppel et al. 2013; Knoeppel et al. 2015]
+// along the lines of the field. Each wave has half the period of the previous wave, so that every crest of a wave is
+// also a crest of the next wave.                                       [Knoeppel et al. 2013; Knoeppel et al. 2015]
 //   link_samples: samples -> a graph of neighbours on the same sheet, each with a tangent frame
 //   line_angles: curvature, a named guide or the caller's directions -> the smoothest field that follows them where
 //                their confidence is high
@@ -33,7 +33,7 @@ inline constexpr double tau = 2.0 * std::numbers::pi;
 
 // ---- The field
 
-// The links between nodes. Those of node i are from first[i] up to first[i + 1].
+// The links between nodes. Node i has the neighbours neighbour[first[i]] to neighbour[first[i + 1] - 1].
 struct Graph {
     explicit Graph(base::Memory& memory) noexcept : first(memory), neighbour(memory) {}
 
@@ -49,7 +49,7 @@ enum class Guide : std::uint32_t { curvature = 0, combing = 1, sections = 2, lig
 struct FieldSettings {
     double smoothing = 0.04;        // the length over which the field is smoothed, in diagonals
     glm::dvec3 axis{0.0, 1.0, 0.0}; // Where the confidence of curvature is low, lines run around this axis.
-    double axis_weight = 0.06;      // the weight of the axis against curvature
+    double axis_weight = 0.06;      // the weight of lines around the axis; the largest weight of curvature is 1
     Guide guide = Guide::curvature;
     glm::dvec3 guide_direction{0.0, 0.0, 1.0}; // a unit vector to the light or to the eye
     double guide_weight = 1.0;                 // The weight of `guide`, from 0 to 1. Curvature has the rest.
@@ -107,7 +107,8 @@ struct Waves {
     [[nodiscard]] bool turned(std::int64_t a, std::int64_t b) const noexcept {
         return glm::dot(along[a], along[b]) < 0.0;
     }
-    // Returns how much the phase of a wave of this period grows from node a to b, in the sense of a's line.
+    // Returns how much the phase of a wave of this period grows from node a to node b. The phase grows to the left of
+    // the line of node a.
     [[nodiscard]] double growth(std::int64_t a, std::int64_t b, double wave_period) const noexcept {
         const glm::dvec3 there = across[b];
         const glm::dvec3 mean = 0.5 * (across[a] + (turned(a, b) ? -there : there));
@@ -124,14 +125,16 @@ struct Waves {
     base::List<Numbers> level;          // the waves, from coarse to fine
 };
 
-// Returns a wave as seen from another line, which points in the opposite direction if `turned`.
+// Converts the number of a wave from one line to another line. `turned`: the two lines point in opposite directions.
 [[nodiscard]] inline Complex conjugated_if(const Complex& z, bool turned) noexcept { return turned ? std::conj(z) : z; }
 
-// Adds waves to the lines of samples: `levels` levels, or as many as the samples can represent.
+// Adds waves to `samples`, which must already have lines: `levels` waves, or fewer if the samples can represent only
+// fewer.
 void add_sample_waves(const base::Work& work, const SampleGraph& graph, std::uint64_t seed, int levels, Waves& samples);
 
-// Interpolates the waves to the vertices of a mesh and adds finer waves: `levels` levels, or as many as the mesh can
-// represent. `sheets` has the implicit's sheet at each vertex; it is empty if the samples have none.
+// Interpolates the waves to the vertices of a mesh and adds finer waves, until there are `levels` waves, or fewer if
+// the mesh can represent only fewer. `sheets` has the implicit's sheet at each vertex. It is empty if the samples have
+// no sheets.
 [[nodiscard]] Waves waves_at_vertices(const base::Work& work, const SampleGraph& graph, const Waves& samples,
                                       const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets,
                                       int levels);

@@ -32,8 +32,8 @@ void require_room(const marks::Site& site, const Settings& settings, double area
              "layers[%lld]: a separation of %g and a step of %g make about %.2g marks, more than %lld; use larger ones",
              static_cast<long long>(settings.layer), site.unit * separation, site.unit * step, marks,
              static_cast<long long>(marks::most_even_marks));
-    // The separation limits the work, not the number of marks: marks that are far apart are few, but the lines between
-    // them must still be found.
+    // The work depends on the separation of lines, not on the number of marks: with a large step there are few marks,
+    // but all lines must still be found.
     const double squares = area / (separation * separation);
     if (squares > static_cast<double>(marks::most_even_marks))
         fail(Status::invalid_argument,

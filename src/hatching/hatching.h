@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Hatching on a surface: evenly spaced lines along one smooth field cover it, in nested levels. Each level has the
-// lines between the lines of the coarser levels. The steps are:
+// Hatching on a surface: evenly spaced lines along one smooth field cover the surface, in nested levels. The lines of
+// each level lie between the lines of the coarser levels. The steps are:
 //   field.h       even samples -> a graph of neighbours -> a smooth field of lines -> waves on the samples, of the
-//                 longest period and of halves of it -> waves on a mesh
+//                 longest period, of half of it, and so on -> waves on a mesh
 //   lines.h       the crests of the finest wave -> lines -> joined ends -> even distances -> marks on the surface
 #pragma once
 
@@ -16,9 +16,9 @@ namespace hrbfnpr::hatching {
 
 // Lengths are in object units.
 struct Settings {
-    std::int64_t layer = 0;  // the number of the layer, for messages
+    std::int64_t layer = 0;  // the index of the layer, for messages
     std::int64_t budget = 0; // The approximate number of marks. It is used if `separation` is 0.
-    // The distance between neighbouring lines, with the lines of all levels. 0: the budget decides.
+    // The distance between neighbouring lines where the lines of all levels are drawn. 0: the budget decides.
     double separation = 0.0;
     double step = 0.0; // The distance between marks along a line. 0: a share of the separation.
     // The angle by which lines are rotated in the tangent plane, counter-clockwise as seen from outside, in radians.

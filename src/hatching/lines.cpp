@@ -28,20 +28,20 @@ constexpr std::int64_t triangles_a_task = 4096;
 // The place where a crest crosses an edge of the mesh. The edge goes from vertex a to vertex b.
 struct Crossing {
     double share;      // the position on the edge, from 0 at a to 1 at b
-    std::int32_t a, b; // numbers of vertices
-    bool rises;        // true if the phase grows from a to b, by the direction of the line at a
+    std::int32_t a, b; // indices of the vertices
+    bool rises;        // true if the phase grows from a to b, as Waves::growth() computes it
     std::uint8_t level;
 };
 
 // Edge 3 t + k goes from corner k of triangle t to the next corner. If two triangles share an edge, the triangle with
-// the lower number owns it.
+// the lower index owns it.
 std::int32_t end_of(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
     return mesh.corner[edge - edge % 3 + (edge % 3 + 1) % 3];
 }
 bool is_owned(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
     return mesh.neighbour[edge] < 0 || edge / 3 < mesh.neighbour[edge];
 }
-// Returns the same edge as an edge of the other triangle there, or -1 at a border.
+// Returns the index of this edge in the triangle on its other side, or -1 at a border.
 std::int64_t across(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
     const std::int64_t other = 3 * std::int64_t{mesh.neighbour[edge]};
     for (std::int64_t k = other; k >= 0 && k < other + 3; ++k)
@@ -67,8 +67,10 @@ void visit_crests(const Waves& waves, int halvings, std::int32_t a, std::int32_t
     }
 }
 
-// Returns the level of a line. A wave that was halved r times less than the finest lines has each 2^r-th of them as a
-// crest. For waves up to the finest wave, the line number is not enough, so the waves are evaluated at the crossing.
+// Returns the level of a line at a crossing. A line between two crests of the finest wave gets its level from its line
+// number: of the numbers, every second belongs to the finest level, every fourth to the level before, and so on. A
+// crest of the finest wave gets the level of the coarsest wave that has a crest there, too. To find this level, the
+// coarser waves are evaluated at the crossing.
 std::uint8_t level_of(const Waves& waves, int halvings, const Crossing& c, std::int64_t line) noexcept {
     const int twos = std::countr_zero(static_cast<std::uint64_t>(line));
     if (twos < halvings) return static_cast<std::uint8_t>(waves.finest() + halvings - twos);
@@ -128,7 +130,7 @@ Crossings cross_edges(const base::Work& work, const curves::SurfaceMesh& mesh, c
 
 // Links the crossings on the edges of a triangle. On a walk around the triangle, the phase passes the value of a line
 // twice: once rising and once falling. So two consecutive crossings of opposite sense belong to one line, once all
-// crossings between them are linked. A line without a partner ends here, at a fork.
+// crossings between them are linked. At a crossing without a partner, a line ends in a fork.
 void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int64_t triangle, Crossings& found,
                    base::Array<std::int64_t>& open) {
     const std::int32_t corner = mesh.corner[3 * triangle];
@@ -138,7 +140,9 @@ void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int
     const bool last_turned = waves.turned(corner, last);
     // The line field reverses its direction here, so nothing is linked.
     if ((next_turned != last_turned) != waves.turned(next, last)) return;
-    open.clear(); // Each element is 2 * slot, plus 1 if the phase rises in the sense of the first corner's line.
+    // The crossings without a partner so far: 2 * slot, plus 1 if the phase rises on the walk. The sign of the phase is
+    // that for the line at the first corner.
+    open.clear();
     const auto add = [&](std::int64_t crossing, bool backwards, bool owned) {
         const Crossing& c = found.crossing[crossing];
         const bool turned = c.a == next ? next_turned : c.a == last && last_turned;
@@ -192,9 +196,10 @@ Lines follow_crests(const curves::SurfaceMesh& mesh, const Crossings& found, con
     return lines;
 }
 
-// ---- LineEnds of lines
+// ---- Ends of lines
 
-// The ends of lines. End 2 l is the start of line l, and 2 l + 1 is its end. `way` points outwards.
+// The ends of lines. End 2 l is the first point of line l, and end 2 l + 1 is the last. `direction` points out of the
+// line.
 struct LineEnds {
     geometry::VecArray place, direction;
 };
@@ -218,8 +223,8 @@ LineEnds ends_of(const Lines& lines, double reach) {
     return ends;
 }
 
-// Returns whether two ends face each other. Over a very small gap, the direction across it means nothing, so only the
-// directions of the ends are compared, with a larger tolerance.
+// Returns whether two ends face each other. The direction of a very small gap means nothing, so over such a gap only
+// the directions of the ends are compared, with a larger tolerance.
 bool face_each_other(const LineEnds& ends, std::int64_t a, std::int64_t b, double reach) noexcept {
     const glm::dvec3 gap = ends.place[b] - ends.place[a];
     const double length = glm::length(gap);
@@ -260,8 +265,8 @@ base::Array<std::int64_t> pair_ends(const Lines& lines, const LineEnds& ends, do
     return partner;
 }
 
-// Appends the points of a line, beginning at one of its ends. If two ends overlap or are side by side, points that
-// would lead back are left out.
+// Appends the points of a line, beginning at one of its ends. If this end overlaps the points that `result` already
+// has, its first points are left out, so that the joined line does not turn back.
 void add_line_from_end(const Lines& lines, const LineEnds& ends, std::int64_t end, Lines& result,
                        const base::Progress& progress) {
     const std::int64_t line = end / 2;
@@ -318,7 +323,8 @@ void move_between(geometry::VecArray& position, const LineRange& line, const Mov
     }
 }
 
-// Sets unit tangents perpendicular to a line, or 0 where the line has no direction.
+// Sets `across` to unit tangents of the surface that are perpendicular to a line, or to 0 where the line has no
+// direction.
 void set_across(const Lines& lines, const LineRange& line, geometry::VecArray& across) {
     for (std::int64_t i = line.begin; i < line.end; ++i) {
         const std::int64_t last = line.before(i);
@@ -455,9 +461,9 @@ base::Array<float> even_moves(const base::Work& work, const Lines& lines, const 
 
 // ---- Kinks
 
-// Marks the points of kinks: parts, each two separations long, that turn too much within the surface. Returns whether
-// there are any. A part that turns even more is not marked, because the field itself turns there, around a singular
-// point. Sets `turn` to the turn of the line at each point, in radians.
+// Marks the points of kinks. A kink is a part of a line, two separations long, that turns too much within the surface.
+// Returns whether the line has kinks. A part that turns by more than `singular_turn` is not marked, because the field
+// itself turns there, around a singular point. Sets `turn` to the turn of the line at each point, in radians.
 bool mark_kinks(const Lines& lines, const LineRange& line, base::Array<float>& turn, base::Array<std::uint8_t>& kink) {
     for (std::int64_t i = line.begin; i < line.end; ++i) {
         kink[i] = 0;
@@ -539,9 +545,9 @@ void project_lines(const marks::Site& site, double separation, const geometry::B
     }
 }
 
-// Returns 1 for each mark that is on another sheet than the mark before it. In a closed line, the last mark is before
-// the first. On a smooth surface all are 0. A mark on a crease gets the sheet and the normal of the marks before it, or
-// else of the marks after it.
+// Returns one number for each mark: 1 if the mark is on another sheet than the mark before it, else 0. In a closed
+// line, the last mark is before the first. On a smooth surface, all numbers are 0. A mark on a crease gets the sheet
+// and the normal of the mark before it or, if the line cannot continue so, of the mark after it.
 base::Array<std::uint8_t> starts_at_creases(const marks::Site& site, Lines& lines) {
     base::Array<std::int32_t> sheet = surface::sheets_at(site.work, site.implicit, lines.position);
     base::Array<std::uint8_t> starts(site.memory(), sheet.size());
@@ -558,7 +564,7 @@ base::Array<std::uint8_t> starts_at_creases(const marks::Site& site, Lines& line
     const auto has_settled = [&](std::int64_t i) { return lines.normal[i] != glm::dvec3(0.0); };
     for (std::int64_t l = 0; l < lines.count(); ++l) {
         site.work.check();
-        bool goes_on = false; // true if the mark before has the same sheet as the mark before that
+        bool goes_on = false; // true if the two marks before mark i are on the same sheet
         for (std::int64_t i = lines.first[l], last = lines.first[l + 1] - 1; i < lines.first[l + 1]; last = i++) {
             if (i == lines.first[l] && lines.closed[l] == 0) continue;
             const bool both = has_settled(last) && has_settled(i);
@@ -576,8 +582,8 @@ bool is_a_step(const glm::dvec3& a, const glm::dvec3& b, double step) noexcept {
     return distance > hatching_tuning.least_step && distance < hatching_tuning.most_step;
 }
 
-// A mark at the end of a line on a crease. A line ends at the end of its face of the mesh, but its last mark may have
-// moved beyond the crease, to the next sheet, or may be short of the crease. So a mark on the crease is added.
+// A mark on a crease, which is added at the end of a line. A line ends where the mesh is split at a crease, but its
+// last mark may have moved across the crease, to another sheet, or may lie at some distance before the crease.
 struct CreaseEnd {
     surface::MeetingPlace place;
     bool replaces = false; // true if it replaces the last mark of the line, which is too close
@@ -600,7 +606,7 @@ CreaseEnd crease_end(const implicit::Sheets* sheets, const glm::dvec3& inner, co
     return is_a_step(place.position, replaces ? inner : end, step) ? CreaseEnd{place, replaces} : CreaseEnd{};
 }
 
-// Divides lines into pieces. Each piece is on the surface, and on one side of all creases.
+// Divides lines into pieces. Each piece stays on the surface and crosses no crease.
 Lines cut_lines(const marks::Site& site, const Lines& lines, const base::Array<std::uint8_t>& starts, double step) {
     Lines pieces(site.memory());
     const auto add = [&](std::int64_t l, std::int64_t begin, std::int64_t end) {
@@ -759,7 +765,8 @@ void add_line_marks(const marks::Site& site, const Lines& given, double separati
     project_lines(site, separation, region, lines, level);
     const base::Array<std::uint8_t> starts = starts_at_creases(site, lines);
     const Lines pieces = cut_lines(site, lines, starts, step);
-    // A settled mark that is in no piece has strayed. Marks on creases, and repeated marks of closed lines, are extra.
+    // A mark that converged but is in no piece counts as strayed. The marks that were added on creases, and the
+    // repeated first marks of closed lines, count as attempted and placed, too.
     const std::int64_t all = pieces.position.size();
     const std::int64_t added = std::max<std::int64_t>(0, all - level.placed);
     level.attempted += added;

@@ -22,14 +22,14 @@ struct Lines {
     [[nodiscard]] std::int64_t points(std::int64_t line) const noexcept { return first[line + 1] - first[line]; }
     void add_point(const glm::dvec3& at, const glm::dvec3& its_normal, std::uint8_t its_level,
                    const base::Progress& progress);
-    // Ends a line: it consists of the points added since the end of the last line.
+    // Ends a line. The line consists of the points that were added since the previous line ended.
     void end_line(bool is_closed);
 
     base::Array<std::int64_t> first;  // the index of the first point of each line; at the end, the number of points
     base::Array<std::uint8_t> closed; // for each line: 1 if it is closed, else 0
     geometry::VecArray position;
     geometry::VecArray normal;       // for each point: the unit normal of the surface, approximately
-    base::Array<std::uint8_t> level; // for each point: the number of the coarsest wave that has a crest there
+    base::Array<std::uint8_t> level; // for each point: the index of the coarsest wave that has a crest there
 };
 
 // Finds lines along the crests of the finest wave. If there are fewer than `levels` waves, it inserts further lines
@@ -37,12 +37,12 @@ struct Lines {
 [[nodiscard]] Lines find_crests(const base::Work& work, const curves::SurfaceMesh& mesh, const Waves& waves,
                                 int levels);
 
-// Joins ends that are at most `reach` apart and point towards each other. Gaps between such ends occur at forks: the
-// mesh does not always show a line that passes through a fork.
+// Joins ends that are at most `reach` apart and point towards each other. Such gaps occur at forks, where a line may be
+// interrupted although it continues on the other side.
 [[nodiscard]] Lines join_ends(const Lines& lines, double reach, const base::Progress& progress);
 
-// Returns the lines with new points, whose distance is `step`, as far as the length of a line allows. Lines shorter
-// than `shortest` are left out.
+// Returns the lines with new points at equal distances along each line. The distance is `step`, rounded so that it
+// divides the length of the line. Lines shorter than `shortest` are left out.
 [[nodiscard]] Lines resampled(const Lines& lines, double step, double shortest, const base::Progress& progress);
 
 // Moves lines sideways, so that they are evenly spaced. The amounts change slowly along each line, so that lines do not

@@ -12,7 +12,8 @@ struct HatchingTuning {
 
     // The default distance between marks along a line, in separations. Larger: fewer marks.
     double step = 0.4;
-    // The number of lines of the coarsest level, per square root of the area. Larger: fewer levels.
+    // The least number of lines of the coarsest level across a square with the area of the surface. Larger: fewer
+    // levels.
     double fewest_lines = 6.0;
 
     // ---- Samples
@@ -35,37 +36,41 @@ struct HatchingTuning {
 
     // ---- The field
 
-    // The number of rounds that average curvatures with those of neighbours. Larger: lines do not follow finer forms.
+    // The number of rounds that average curvatures with those of neighbours. Larger: lines follow only larger forms.
     int curvature_averages = 48;
     // A curvature has full weight if its radius is below this share of the diagonal. Larger: lines follow flatter forms
     // rather than the axis.
     double full_radius = 0.05;
-    // Curvatures below this, times the reciprocal of the diagonal, count as 0, because the tolerance of a fit allows
-    // them even on flat faces. The weight is 1 from twice this on. Larger: lines do not follow shallow forms.
+    // Curvatures below this number divided by the diagonal get the weight 0, because the tolerance of a fit allows them
+    // even on flat faces. Above this limit, the weight grows, up to 1 at twice the limit. Larger: lines do not follow
+    // shallow forms.
     double flat_curvature = 0.1;
     // Where curvature and axis have less confidence than this, as on a flat face perpendicular to the axis, lines
-    // follow another axis with this weight. It applies only between creases.
+    // follow another axis with this weight. This is done only on surfaces with creases.
     double least_confidence = 1e-3;
     // The weight of a named guide. A curvature of full confidence has the weight 1. Larger: neighbours and the axis
     // change the direction of the guide less.
     double guide_strength = 4.0;
-    // The strength with which lines are pulled to unit length. Larger: singular points move less.
+    // The strength of the term that pulls the complex numbers of lines to unit magnitude. Larger: singular points move
+    // less.
     double pull_to_unit = 0.2;
 
     // ---- Waves
 
-    // The shift of the inverse iteration for the first wave, relative to the number of neighbours, and the number of
-    // its steps. A smaller shift or more steps give a better eigenvector and take more time.
+    // The shift of the inverse iteration for the first wave, and the number of steps of the iteration. The shift is
+    // added to the diagonal of the matrix, where each node has the number of its neighbours. A smaller shift or more
+    // steps give a better eigenvector and take more time.
     double eigen_shift = 0.02;
     int eigen_steps = 12;
     // The shortest period of a wave on samples, in spacings. The mesh represents shorter waves, down to the size of its
     // cells.
     double finest_period = 1.5;
-    // The numbers of rounds of plain means after a wave is halved: on samples, and on vertices of the mesh. They create
-    // forks. Larger: lines are more even, and have more forks.
+    // The numbers of rounds of plain means after a wave is halved: on samples, and on vertices of the mesh. The means
+    // create forks. Larger: lines are more even, and have more forks.
     int sample_means = 100;
     int vertex_means = 20;
-    // After these, waves of unit height are averaged in this many rounds. Larger: fewer bends at forks.
+    // After the plain means, waves are averaged and scaled to unit magnitude in this many rounds. Larger: fewer bends
+    // at forks.
     int unit_averages = 20;
     // A vertex of the mesh takes its waves from the samples within this many spacings. Larger: smoother waves.
     double sample_reach = 2.0;
@@ -78,13 +83,13 @@ struct HatchingTuning {
 
     // ---- Ends that are joined
 
-    // Ends are joined over gaps of at most this, in separations. The lengths below are shares of it. Larger: fewer and
-    // longer lines, which may bend where they are joined.
+    // Ends are joined over gaps of at most this, in separations. The lengths below are shares of this gap. Larger:
+    // fewer and longer lines, which may bend where they are joined.
     double widest_gap = 2.0;
     // Two ends face each other if the cosine between the direction of each end and the gap is at least this.
     double facing_cosine = 0.95;
-    // Over gaps shorter than `touching`, only the directions of the two ends are compared, and their angle may be
-    // larger.
+    // Over gaps shorter than `touching_gap`, only the directions of the two ends are compared: the cosine of the angle
+    // by which the joined line would turn must be above `touching_cosine`.
     double touching_gap = 0.2;
     double touching_cosine = 0.8;
     // The direction of an end is measured over this length of the line, as a share of `widest_gap`.
@@ -118,8 +123,8 @@ struct HatchingTuning {
     // points earlier.
     float newest_share = 0.3F;
     std::int64_t run_up_points = 16;
-    // The largest turn of a line within the surface, in radians, on a part of two separations, which has
-    // `points_of_kink` points. Larger: lines are more even, and show kinks.
+    // A part of a line, two separations long and with `points_of_kink` points, is straightened if it turns by more than
+    // this within the surface, in radians. Larger: lines are more even, and show kinks.
     float most_turn = 0.4F;
     int points_of_kink = 5;
     // A part that turns by more than this, in radians, is around a singular point of the field. It is not straightened.
@@ -139,7 +144,7 @@ struct HatchingTuning {
     std::int64_t fewest_marks = 3;
     // The end of a line is extended to a crease if the crease is at most this far ahead, in steps.
     double farthest_crease = 1.1;
-    // A mark is on a sheet if its distance from it is at most this, in diagonals.
+    // A mark is on a sheet if its distance from the sheet is at most this, in diagonals.
     double sheet_tolerance = 1e-6;
 };
 inline constexpr HatchingTuning hatching_tuning;

@@ -76,7 +76,7 @@ void assemble(const Site& site, const Marks& marks, const AssembleSettings& sett
         set_vector(result.position, i, marks.position[i] - origin);
         set_vector(result.normal, i, n);
         set_vector(result.direction, i, settings.strokes ? marks.direction[i] : geometry::stipple_frame(n).u);
-        // The first mark gets the highest rank, because a mark is shown if its rank is at least tau.
+        // The first mark gets the highest rank, because a mark is shown if its rank is at least the tone.
         const float own = !marks.rank.empty() ? marks.rank[i]
                           : result.progressive
                               ? rank_of(1.0 - (static_cast<double>(i) + 0.5) / static_cast<double>(count))
@@ -261,7 +261,7 @@ public:
     [[nodiscard]] glm::dvec3 normal(std::int64_t i) const {
         const glm::dvec3 given = vector(arrays_.normal, "normal", i);
         const glm::dvec3 size = glm::abs(given);
-        // Scaled so that its square is finite.
+        // The normal is scaled so that its square is finite.
         const glm::dvec3 n = given / geometry::unit_for(std::max({size.x, size.y, size.z}));
         const double length = glm::length(n);
         if (!(length > 0.0) || !std::isfinite(length)) refuse("normal", i, "zero; every mark needs a normal");
@@ -413,7 +413,7 @@ PointSet copy_of(const base::Runtime& runtime, const PointSet& base) {
 }
 
 // Computes the bounds, origin and spacing of the whole set. If the set had marks before, its origin does not change,
-// and its spacing is scaled for the same area.
+// and its spacing is scaled as if the area of the surface were unchanged.
 void measure_all(const base::Runtime& runtime, const base::List<geometry::VecArray>& positions,
                  std::int64_t largest_before, PointSet& set) {
     if (largest_before == 0) {

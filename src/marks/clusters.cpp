@@ -55,8 +55,8 @@ void set_extent(Extent& extent, std::int64_t begin, std::int64_t end, const Plac
     extent.cone = cone_around(begin, end, normal);
 }
 
-// Returns how the normals turn along the surface: the linear map from the marks' offsets to the normals' offsets, both
-// from the mean, by least squares.
+// Returns how the normals turn along the surface: a linear map, fitted by least squares. For each mark, it maps the
+// offset of its place from the mean place to the offset of its normal from the mean normal.
 template <class Place, class Normal>
 NormalVariation fit_normal_variation(std::int64_t begin, std::int64_t end, const Place& place, const Normal& normal) {
     glm::dvec3 middle(0.0);
@@ -114,7 +114,9 @@ void set_extent(StrokePiece& piece, const Layer& layer, const float* positions, 
 // ---- Clusters of a finished layer
 
 struct KeyedMark {
-    std::uint64_t key; // the sort key: the direction set, the cube side of the normal, the position on a Morton curve
+    // The sort key: the direction (0 or 1) of the stroke, then the side of a cube that the normal points to, then the
+    // position on a Morton curve.
+    std::uint64_t key;
     std::uint32_t mark;
 };
 
@@ -245,14 +247,15 @@ void cut_strokes(const Layer& layer, double unit, base::Array<StrokePiece>& piec
     }
 }
 
-// ---- How far apart nested lines really lie
+// ---- Gaps between nested lines
 
 constexpr std::size_t most_lines = 64; // the largest number of lines beside a mark
 constexpr std::int64_t strokes_a_task = 16;
 
-// Returns the gap around a mark: the mean distance between neighbouring lines there. Marks on the mark's line and on
-// lines beside it have offsets across the line. The gap is the mean of the differences between these offsets, where
-// nearer marks have more weight. It is 1 if no mark is beside the mark.
+// Returns the gap around a mark, in separations: the mean distance between neighbouring lines there. Each mark on this
+// mark's line or on a line beside it has an offset across the line. The gap is the weighted mean of the differences
+// between consecutive offsets; nearer differences have more weight. The gap is 1 if there is no other line beside the
+// mark.
 float gap_around(const Layer& layer, const geometry::VecArray& place, const geometry::PointGrid& grid,
                  std::int64_t mark) noexcept {
     const glm::dvec3 n = vector_at(layer.normal, mark);
@@ -339,8 +342,8 @@ void copy_clusters(const MarkClusters& from, MarkClusters& to) {
     copy_arrays(from, to, &MarkClusters::block, &MarkClusters::width, &MarkClusters::cluster, &MarkClusters::piece);
 }
 
-// Returns the nearer of two clusters, or null: the previous and the next cluster in order that have enough marks and
-// face the same side.
+// Returns the nearer of the two clusters before and after cluster c. A cluster is taken only if it has enough marks and
+// faces nearly the same side as cluster c. Returns null if neither cluster is taken.
 const Cluster* nearest_with_variation(const base::Array<Cluster>& clusters, std::int64_t c) noexcept {
     const Cluster& own = clusters[c];
     const auto vector = [](const std::array<float, 3>& a) { return glm::vec3(a[0], a[1], a[2]); };
@@ -406,7 +409,7 @@ void move_clusters(const Layer& layer, const float* position, const float* norma
         if (cluster.count >= marks_tuning.fewest_to_fit)
             static_cast<NormalVariation&>(cluster) = fit_normal_variation(begin, end, place_in, normal_in);
     }
-    // A cluster with too few marks copies its bend from the nearest neighbour with enough marks.
+    // A cluster with too few marks copies the variation of its normals from the nearer neighbour with enough marks.
     for (std::int64_t c = 0; c < moved.cluster.size(); ++c) {
         if (moved.cluster[c].count >= marks_tuning.fewest_to_fit) continue;
         const Cluster* const nearest = nearest_with_variation(moved.cluster, c);

@@ -127,8 +127,8 @@ struct Cone {
 // How normals turn along a surface.
 struct NormalVariation {
     float max_curvature = 0.0F; // the largest absolute normal curvature; negative if unknown
-    // The derivative of the normal by the place, as a symmetric matrix: xx, xy, xz, yy, yz, zz. If normals point
-    // outward, it is positive where the surface is convex.
+    // The derivative of the normal with respect to the place, as a symmetric matrix: xx, xy, xz, yy, yz, zz. If normals
+    // point outward, the matrix is positive where the surface is convex.
     std::array<float, 6> shape{};
 };
 
@@ -197,12 +197,13 @@ struct Layer {
     base::Array<float> direction; // 3n numbers
     base::Array<float> curvature; // 3n numbers, or empty
     base::Array<float> rank;      // n numbers
-    // N numbers: the level at which each mark was added, in a recursion or in nested hatching.
+    // n numbers: the level of the recursion, or of nested hatching, at which each mark was added
     base::Array<std::uint8_t> level;
     base::Array<std::uint32_t> stroke; // 2n numbers
     base::Array<float> width;          // n numbers; empty if all are 1
     base::Array<float> tone_normal;    // 3n numbers; empty if they equal `normal`
-    // For S strokes, S + 1 positions in the order of the strokes; empty if there are no strokes.
+    // For s strokes, s + 1 numbers: where each stroke begins in the order of the strokes, and the number of marks.
+    // Empty if there are no strokes.
     base::Array<std::uint32_t> stroke_first;
     base::Array<std::uint32_t> stroke_order; // n numbers; empty if the marks are stored stroke by stroke
     MarkClusters clusters;                   // the clusters of the marks, which cluster_marks() makes
@@ -249,13 +250,13 @@ void index_strokes(Layer& layer, const base::Progress& progress = {});
 // number of threads.
 void cluster_marks(const base::Work& work, PointSet& set);
 
-// Fills `moved` with the same clusters of the same marks at other places, for example on an animated surface.
+// Fills `moved` with the clusters of the layer, but with the marks at other places, for example on an animated surface.
 // `position` (relative to the set's origin) and `normal` have three floats for each mark. `unit` is the unit of the
 // set. Allocates nothing if `moved` had at least as many marks before.
 void move_clusters(const Layer& layer, const float* position, const float* normal, double unit, MarkClusters& moved);
 
-// Fills `turned` with the same clusters of the same marks, but with opposite normals. Allocates nothing if `turned` had
-// at least as many marks before.
+// Fills `turned` with the given clusters, but with opposite normals. Allocates nothing if `turned` had at least as many
+// marks before.
 void turn_clusters(const MarkClusters& clusters, MarkClusters& turned);
 
 } // namespace hrbfnpr::marks

@@ -93,8 +93,9 @@ struct Seeds {
 using PointFunction = std::int32_t (*)(void* user, std::int64_t count, const double* positions, const double* normals,
                                        double* results);
 
-// Calls a function of the caller for `components` numbers at each place, on the calling thread, for some of the places
-// at a time. The numbers are 0 before each call. If the function fails, throws Error{callback} with its name.
+// Calls a function of the caller, which gives `components` numbers for each place. Calls it on the calling thread, for
+// one block of places after the other. The numbers are 0 before each call. If the function fails, throws
+// Error{callback} with the function's name.
 [[nodiscard]] base::Array<double> call_at_points(const Site& site, PointFunction function, void* user, const char* name,
                                                  const geometry::VecArray& positions, const geometry::VecArray& normals,
                                                  std::int64_t components);
@@ -119,8 +120,8 @@ void directions_at(const Site& site, const DirectionFunction& field, const geome
 inline constexpr double smallest_size = 1e-33;
 inline constexpr double largest_size = 1e33;
 
-// Throws Error{invalid_argument} if a size is beyond these limits. The message uses `what` for the object of that size,
-// and `remedy` for what to scale.
+// Throws Error{invalid_argument} if a size is outside these limits. The message uses `what` for the object of that
+// size, and `remedy` for what to scale.
 void require_size(const char* what, double size, const char* remedy);
 
 // ---- Marks
@@ -136,7 +137,8 @@ struct Marks {
     base::Array<std::array<float, 3>> curvature; // k1, k2, confidence; may be empty
     // Only for strokes along curvature: the normal curvature along the direction.
     base::Array<double> curvature_along;
-    // A number that identifies the mark, whatever other marks were dropped; it is the key of random numbers.
+    // A number that identifies the mark, and does not change if other marks are dropped. It is the key of random
+    // numbers.
     base::Array<std::uint64_t> key;
     // For a stroke: 2 * seed + direction (0 or 1); for a stipple: the index of its seed.
     base::Array<std::uint32_t> stroke;

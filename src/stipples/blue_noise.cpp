@@ -58,7 +58,7 @@ geometry::Bounds region_of(const marks::Site& site, const marks::Seeds& seeds, d
 // Removes marks that projection has brought too close to each other, as it may where the surface bends within the
 // spacing of marks. The later of the two marks is dropped and counted as strayed. The least distance depends on the
 // place of the later mark in the order, so marks are processed in ranges of the order in which the distance is similar.
-// `wandered` has the marks that moved away from where they were chosen, in ascending order.
+// `wandered` has, in ascending order, the indices of the marks that projection moved far.
 void repair_distances(const marks::Site& site, const base::Array<std::int64_t>& wandered, EvenMarks& marks,
                       marks::LevelReport& report) {
     HRBFNPR_ASSERT(std::is_sorted(wandered.begin(), wandered.end()));
@@ -149,7 +149,8 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
 
 // ---- Densities
 
-// Returns the density at each mark. The first call sets `mean_bend`, a mean over its marks.
+// Returns the density at each mark. The bend of a mark is the root mean square of its principal curvatures. The first
+// call sets `mean_bend` to the mean over its marks; later calls use this mean.
 [[nodiscard]] base::Array<double> densities_by_curvature(const marks::Site& site, const EvenMarks& marks,
                                                          double strength, std::optional<double>& mean_bend) {
     HRBFNPR_ASSERT(strength >= 0.0 && strength <= 1.0);
@@ -253,7 +254,7 @@ EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, 
              "the density is 0 at all %lld places tried on the surface, so no mark can be made; let it be 1 where "
              "marks are densest",
              static_cast<long long>(probe.position.size()));
-    // The number of marks to keep from the largest even order.
+    // The largest number of marks of the even order, before marks are left out.
     const double most = stipple_tuning.most_excess * static_cast<double>(wanted);
     if (std::min(static_cast<double>(wanted), most * mean) < 0.5)
         fail(Status::invalid_argument,

@@ -83,7 +83,7 @@ struct PlaneTrials {
     std::int32_t count;
     std::uint32_t u, v; // the coordinates of the first trial on the face
     std::uint32_t step_u, step_v;
-    double ticket_offset; // a random number in [0, 1); the ticket of trial k is (k + before) / count
+    double ticket_offset; // a random number in [0, 1); the ticket of trial k is (k + ticket_offset) / count
     double level, slope_u, slope_v;
 
     // Returns the place of a trial on the plane, in sides of the cell, relative to its centre.
@@ -182,8 +182,8 @@ void store_plane_candidates(const marks::Site& site, const ClassifiedCells& clas
 
 // Evaluates f at random trials in cells. Random number 0 of a cell rounds the number of its trials up or down; number k
 // gives trial k. A trial is skipped if the cell's plane puts it far outside the band. The error of the plane inside the
-// cell is 3/8 side^2 curvature, so this is correct if the radii of curvature are above 1.5 sides. It is not used on a
-// surface with creases.
+// cell is 3/8 side^2 curvature, so skipping is correct if the radii of curvature are above 1.5 sides. On a surface with
+// creases, no trial is skipped.
 void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<const std::int32_t> trial_cells,
                  std::span<const std::int64_t> slot, std::uint32_t stream, geometry::VecArray& trial,
                  base::Array<std::uint32_t>& ticket) {
@@ -219,7 +219,8 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
     ticket.resize(kept);
 }
 
-// Returns how many times each trial counts: once inside the band, or 0, 1 or 2 times near creases.
+// Returns how many times each trial counts: 0 times outside the band, once inside it, but 0, 1 or 2 times inside it
+// near creases.
 [[nodiscard]] base::Array<std::uint8_t> trial_weights(const marks::Site& site, const SurfaceCells& cells,
                                                       const geometry::VecArray& trial,
                                                       const marks::FieldSamples& field) {
@@ -335,8 +336,8 @@ void project_trials(const marks::Site& site, const ClassifiedCells& classified, 
     return static_cast<double>(off) > stipple_tuning.most_off_surface * static_cast<double>(place.size());
 }
 
-// Moves a projection by one more step. Returns whether it needs another step. Sets its cell to -1 if it is no
-// candidate.
+// Moves a projection by one more step. Returns whether it needs another step. Sets the cell of the projection to -1 if
+// the projection is not a candidate.
 [[nodiscard]] bool refine_projection(const marks::Site& site, const ClassifiedCells& classified, double distance,
                                      const glm::dvec3& gradient, bool first, Projection& projection,
                                      std::int64_t& strayed) noexcept {
@@ -373,7 +374,7 @@ void project_trials(const marks::Site& site, const ClassifiedCells& classified, 
     return std::abs(distance) > stipple_tuning.surface_tolerance * cells.grid.side;
 }
 
-// Moves the projections from number `first` on by further steps, where one step is not enough.
+// Moves the projections from index `first` on by further steps, if one step is not enough for them.
 void refine_projections(const marks::Site& site, const ClassifiedCells& classified, std::int64_t first,
                         LayerCandidates& layer) {
     base::Array<Projection>& all = layer.projection;
@@ -466,8 +467,10 @@ PlaneCandidates draw_on_planes(const marks::Site& site, const ClassifiedCells& c
     return planes;
 }
 
-// Estimates the area. near / trials is the share of the volume that is inside the layer, whose thickness is 2 band.
-// Only projections in the region and in cells that are not flat count for the area.
+// Estimates the area of the surface: the volume of the cells, times the share of the projections that were kept,
+// divided by the thickness of the layer, 2 band. Only projections in the region and in cells that are not flat are
+// kept. Before the first draw, the estimate is the volume divided by the thickness of the layer that the cells fill, 2
+// reach.
 double LayerCandidates::area() const noexcept {
     if (rounds == 0) return volume / (2.0 * reach);
     if (near == 0) return 0.0;

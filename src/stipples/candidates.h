@@ -4,7 +4,7 @@
 // 1. classify_cells() finds where the planes of the cells match the surface: these cells are flat, the others bent.
 // 2. draw_on_planes() puts candidates on the planes of flat cells, evenly and without an evaluation.
 // 3. draw_in_layer() puts candidates in bent cells: it projects random points of a layer around the surface.
-// 4. draw_candidates() does these in rounds until there are enough, and merges both in the order of cells.
+// 4. draw_candidates() repeats steps 2 and 3 in rounds until there are enough candidates, and merges them cell by cell.
 #pragma once
 
 #include "marks/site.h"
@@ -37,7 +37,7 @@ struct ClassifiedCells {
     }
 
     const SurfaceCells& cells;
-    CellMap number; // finds the number of a cell by its code
+    CellMap number; // finds the index of a cell by its code
     base::Array<ClassifiedCell> cell;
 };
 
@@ -68,17 +68,17 @@ struct Projection {
     bool bent;          // True if the projection may need further steps to reach the surface.
 };
 
-// Points are drawn uniformly in the volume of the cells that are not flat and kept within `band` of the surface: a
-// layer of constant thickness holds as many points per area everywhere, to second order in band * curvature. One Newton
-// step projects them onto the surface.
+// Points are drawn uniformly in the volume of the cells that are not flat, and kept if they are within `band` of the
+// surface. The kept points fill a layer of constant thickness, so their number per area of the surface is the same
+// everywhere, to second order in band * curvature. One Newton step projects them onto the surface.
 //
 // Beside a crease the layer is cut off on one side and has an extra wedge on the other. Points of the wedge project
-// onto another sheet and do not count; points whose mirror image is cut off count twice. A candidate beside a
-// projection that lands beyond the crease is reflected back.
+// onto another sheet and do not count; points whose mirror image is cut off count twice. A candidate that is placed
+// beside a projection, and lands across the crease, is mirrored back.
 struct LayerCandidates {
     explicit LayerCandidates(base::Memory& memory) noexcept : trial_cell(memory), projection(memory) {}
 
-    // Returns an estimate of the area: before the first draw from the volume, and later from the projections.
+    // Returns an estimate of the area: from the volume before the first draw, and from the projections afterwards.
     [[nodiscard]] double area() const noexcept;
 
     std::uint32_t stream = 0;               // the stream of random numbers for the points
@@ -86,12 +86,12 @@ struct LayerCandidates {
     base::Array<std::int32_t> trial_cell;   // all cells in which a trial may have a projection into a bent cell
     double volume = 0.0;                    // the volume of these cells
     double reach = 0.0, band = 0.0;         // the same as in SurfaceCells
-    // These arrays grow with each draw.
+    // The members below change with each draw.
     base::Array<Projection> projection;
     std::uint32_t rounds = 0;
     double trials = 0.0;
     std::int64_t near = 0; // the number of projections whose trials are inside the band
-    // The number of projections counted in `near` that are outside the region or in no cell of it.
+    // The number of projections counted in `near` that are outside the region or in none of its cells.
     std::int64_t strayed = 0;
     bool all_bent = false; // True if one step is not enough even where the planes of cells are correct.
 };
@@ -141,16 +141,19 @@ struct Candidates {
 // This is the order in which candidates become marks. Every prefix of it is as even as possible.
 //
 // Each next mark fills the largest gap: among the candidates that keep 0.70 of the densest packing's distance from all
-// earlier marks, it has one of the lowest energies. The energy is a sum over the marks within about two such distances
-// (void and cluster, Ulichney 1993; elimination by weight, Yuksel 2015, is similar but backwards). The distance alone
-// (dart throwing) fills some parts of the surface before others; the energy alone lets marks touch. A candidate that is
-// nearly far enough moves to the middle of its gap. Neighbours whose normals point to opposite sides ignore each other,
-// so both faces of a thin sheet get their own order.
+// earlier marks, it has one of the lowest energies. The energy of a candidate is a sum over the marks within about
+// twice the distance of the densest packing (void and cluster, Ulichney 1993; elimination by weight, Yuksel 2015, is
+// similar but backwards). A rule for the distance alone (dart throwing) fills some parts of the surface before others;
+// a rule for the energy alone lets marks touch. A candidate that is nearly far enough from all marks moves to the
+// middle of its gap. Neighbours whose normals point to opposite sides ignore each other, so both faces of a thin sheet
+// get their own order.
 //
-// 1. The cells of a stage are twice as wide as those of the next one, and it fills a quarter as many marks. A stage
-//    puts its candidates and the marks of earlier stages into its cells.
+// 1. Marks are placed in stages. The cells of a stage are twice as wide as the cells of the next stage, and a stage
+//    ends with a quarter of the marks of the next stage. At its beginning, a stage puts its candidates and the marks of
+//    earlier stages into its cells.
 // 2. Sweeps over tiles of cells fill the stage, at rising energy thresholds. In a tile, the cell with the lowest
-//    energy gives its best candidate, or the middle of the gap beside it; the cells around add the new mark's energy.
+//    energy gives its best candidate, or the middle of the gap beside this candidate. The energy of the new mark is
+//    added to the candidates of the cells around it.
 // 3. The marks of one step of a sweep are shuffled, so that each prefix is spread like the whole.
 
 // Returns the distance between neighbours in the densest packing of `marks` marks.
@@ -158,10 +161,10 @@ struct Candidates {
     return std::sqrt(2.0 / std::sqrt(3.0) * area / marks);
 }
 
-// Returns a move from 0 into the middle of the gap between the points around it, in a plane. It increases the distance
-// to the nearest point: first away from that point, then between the two nearest points, from one Voronoi vertex to the
-// next. It ends where the distance is `wanted`, or at a maximum. If the move would be longer than `farthest`, it
-// returns 0.
+// Returns a move from the origin of a plane into the middle of the gap between the points around the origin. The move
+// increases the distance to the nearest point: first away from that point, then between the two nearest points, from
+// one Voronoi vertex to the next. It ends where the distance is `wanted`, or at a maximum. If the move would be longer
+// than `farthest`, it returns 0.
 [[nodiscard]] glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double farthest) noexcept;
 
 // The marks in order. Positions are relative to the grid.origin of the candidates, and near the surface.

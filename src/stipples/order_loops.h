@@ -55,12 +55,12 @@ inline void unpack_normal(float packed, float (&normal)[3]) noexcept {
     for (unsigned c = 0; c < 3; ++c) normal[c] = static_cast<float>(bits >> (10U * c) & 1023U) - unpacked_length;
 }
 
-// The lowest energies in a cell. They are infinite if no candidate is open.
+// The lowest energies in a block of candidates.
 struct LowestEnergy {
-    // Among the candidates with clearance >= enough, the index of the first with the lowest energy. -1 if there is no
-    // such candidate.
-    std::int64_t at;        // the first with the lowest energy among those with clearance >= enough; -1: none is open
-    float energy;           // the energy of the candidate `at`
+    // The index of the candidate with the lowest energy among those with at least the required clearance. Of several
+    // such candidates, the first is taken. -1 if there is none.
+    std::int64_t at;
+    float energy;           // the energy of the candidate `at`; infinite if `at` is -1
     float at_any_clearance; // the lowest energy of all candidates, whatever their clearance
 };
 

@@ -24,7 +24,8 @@ struct StageSettings {
     std::int32_t level = 0;         // The side of the stage's cells is that of the candidates' cells times 2^level.
     double reach = 0.0;             // the distance up to which a mark has energy; at most the side of a cell
     std::uint64_t ticket_limit = 0; // Only candidates with a smaller ticket take part.
-    // A candidate may move into its gap if its distance from marks is at least this share of the radius.
+    // A candidate may move into its gap if its distance from all marks is at least this share of the least distance
+    // between marks.
     double move_clearance = 0.8;
     double farthest_move = 0.0; // the longest move of a candidate; less than half a side
 };
@@ -46,8 +47,8 @@ struct PlacementOrder {
 
 constexpr std::int32_t slots_of_cell = 5;
 
-// A cell with its marks. Marks are stored in cells, two per cell, so that the marks around a place are in few cache
-// lines.
+// A cell with its marks. A cell takes two cache lines and contains up to five of its marks, so that the marks around a
+// place are in few cache lines.
 struct alignas(64) StageCell {
     std::int64_t group; // the group in which the cell's candidates begin
     std::int32_t groups;
@@ -73,7 +74,7 @@ struct FreshMark {
 };
 // The largest number of marks in a tile in one sweep.
 constexpr std::int64_t most_fresh = 64;
-// The code of a tile is the code of any of its cells without the lowest bits of each coordinate, this many.
+// The number of low bits by which the coordinates of a cell are shortened to get the coordinates of its tile.
 constexpr unsigned tile_bits = 3;
 
 [[nodiscard]] glm::dvec3 vector(const float (&v)[3]) noexcept { return {v[0], v[1], v[2]}; }
@@ -184,16 +185,14 @@ struct Stage {
     std::size_t creased; // The index of the loops to use: 1 if the surface has creases, else 0.
     OrderLoops loops;
 
-    CellMap number; // finds the number of a cell by its code
+    CellMap number; // finds the index of a cell by its code
     base::Array<StageCell> cell;
     base::Array<CellMap::Around> neighbour;
     base::Array<float> lowest; // for each cell: the energy of its best candidate; infinite if none is open
     base::Array<float> floor;  // for each cell: a lower bound for the energy of its candidates
-    // A candidate is open if its squared distance from all marks is at least this. It is the distance of the last step
-    // of the sweep.
-    float least_clearance = 0.0F; // candidates are open if their squared distance from marks is at least this; set for
-                                  // the last step of a sweep
-    OrderGroup* group = nullptr;  // points to `own_group`, or to the groups of the candidates
+    // A candidate is open if its squared distance from all marks is at least this. Set for the last step of a sweep.
+    float least_clearance = 0.0F;
+    OrderGroup* group = nullptr; // points to `own_group`, or to the groups of the candidates
     base::Array<OrderGroup> own_group;
     base::Array<ExtraMark> extra;
 
@@ -205,12 +204,13 @@ struct Stage {
 
 // ---- Making a stage
 
-// Puts the candidates into the cells of the stage. Returns the codes of these cells. If all candidates take part and
-// the cells are the same, no copy is made.
+// Puts the candidates into the cells of the stage. Returns the codes of these cells. The candidates are not copied if
+// all of them take part, and if the cells of the stage are those of the candidates.
 [[nodiscard]] base::Array<std::uint64_t> take_candidates(Candidates& candidates, Stage& stage) {
     const StageSettings& settings = stage.settings;
     base::Array<std::uint64_t> code(stage.site.memory());
-    // for each cell of the stage: the index of the first candidates' cell in it; at the end, the number of these cells
+    // for each cell of the stage: the index of the first of the candidates' cells that it contains; at the end, the
+    // number of the candidates' cells
     base::Array<std::int64_t> part(stage.site.memory());
     for (std::int64_t c = 0; c < candidates.cells(); ++c) {
         const std::uint64_t here = candidates.code[c] >> static_cast<unsigned>(3 * settings.level);
@@ -355,15 +355,16 @@ struct NearbyMarks {
     bool creased;      // true if the surface has creases
     bool bent = false; // true if a mark has a very different normal, but is not across a crease
     std::size_t count = 0;
-    // The marks in the tangent plane of the candidate. Their distances are those in space, or along the surface.
+    // The marks, turned into the tangent plane of the candidate. Their distances from the candidate are those in space
+    // or, across a crease, those along both tangent planes.
     std::array<glm::dvec2, most_around> tangent_offset;
     std::array<glm::dvec3, most_around> offset;
     std::array<glm::dvec3, most_around>
         normal_beyond_crease; // for each mark: its normal if it is across a crease, else 0
 };
 
-// Returns the squared length of the way from a place with the unit normal n to another with the normal m, at the offset
-// o. The way goes across the crease between them, through both tangent planes.
+// Returns the squared length of the path between two places with the unit normals n and m. o is the offset of the
+// second place from the first. The path goes through both tangent planes and crosses the crease between the places.
 [[nodiscard]] double squared_path(const glm::dvec3& o, const glm::dvec3& n, const glm::dvec3& m) noexcept {
     const double detour = -2.0 * glm::dot(o, n) * glm::dot(o, m) / std::max(1.0 + glm::dot(n, m), 0.1);
     return glm::dot(o, o) + std::max(detour, 0.0);
@@ -405,8 +406,8 @@ void add_nearby(const OrderMark& mark, NearbyMarks& around) noexcept {
     return true;
 }
 
-// Moves a candidate into the middle of its gap, where it is at least the radius away from all marks. If the gap is too
-// small, sets its cell to -1. `unlinked` has the marks without a slot in a cell.
+// Moves a candidate into the middle of its gap, where it is at least `radius` away from all marks. If the gap is too
+// small, sets `fresh.cell` to -1. `unlinked` has the marks without a slot in a cell.
 void move_into_gap(const Stage& stage, const FreshMark* all, std::span<const std::int32_t> unlinked, double radius,
                    FreshMark& fresh) noexcept {
     const double farthest_move = stage.settings.farthest_move;
@@ -456,7 +457,8 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
         if (there >= 0) base::prefetch(stage.group + stage.cell[there].group, stage.cell[there].groups);
 }
 
-// Returns the cell's best candidate if it keeps the radius, or else a place in its gap that does.
+// Returns the cell's best candidate if it is at least `radius` away from all marks. Otherwise, returns a place in the
+// candidate's gap that is.
 [[nodiscard]] FreshMark place_best(Stage& stage, std::int32_t cell, const FreshMark* all,
                                    std::span<const std::int32_t> unlinked, double radius) noexcept {
     const std::int64_t i = stage.cell[cell].best;
@@ -534,9 +536,10 @@ void keep_lowest(const base::Array<float>& energy, std::int64_t room, PlacementO
     order.step.resize(kept);
 }
 
-// Places marks that keep the radius from all others and have an energy below the threshold: in each tile the lowest
-// first, and at most `most_fresh`. Appends the marks tile by tile. If there are more than `room`, only those with the
-// lowest energies are kept, and the stage ends.
+// Places marks that are at least the radius of a step away from all other marks, and have an energy below the threshold
+// of the step. In each tile, marks with lower energies are placed first, and at most `most_fresh` marks are placed.
+// Appends the marks tile by tile. If there are more than `room`, only those with the lowest energies are kept, and the
+// stage ends.
 void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, PlacementOrder& order) {
     HRBFNPR_ASSERT(!steps.empty() && room > 0 && order.mark.size() == order.step.size());
     order.sweep.push_back(order.mark.size());
@@ -571,8 +574,8 @@ void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, Pl
 
 // ---- Stage by stage
 
-// Places marks until there are `last`. Returns false if marks would have to be closer than `closest`, in distances of
-// the densest packing.
+// Places marks until there are `last` marks. Returns false if marks would have to be closer than `closest`, in
+// distances of the densest packing.
 bool place_until(Stage& stage, double area, std::int64_t last, std::int64_t wanted, double closest,
                  PlacementOrder& order, const base::Progress& progress) {
     double distance = stipple_tuning.kept_distance;
@@ -618,7 +621,7 @@ bool place_until(Stage& stage, double area, std::int64_t last, std::int64_t want
     return true;
 }
 
-// Places marks in cells of the level `level`, until there are `last`. Returns false if no place is left.
+// Places marks in cells of the level `level`, until there are `last` marks. Returns false if no place is left.
 bool run_stage(const marks::Site& site, Candidates& candidates, const LastStageCells& last_stage, std::int32_t level,
                std::int64_t last, std::int64_t wanted, PlacementOrder& order) {
     HRBFNPR_ASSERT(level >= last_stage.level);
@@ -632,7 +635,8 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const LastStageC
     settings.ticket_limit = static_cast<std::uint64_t>(taken / all * 4294967296.0);
     settings.move_clearance = std::max(stipple_tuning.move_clearance, 1.0 - static_cast<double>(last) / taken);
     // A candidate moves at most into an adjacent cell, and at most as far as its tangent plane follows the surface.
-    // While there are few marks, gaps contain many candidates.
+    // While a stage has many candidates for each mark, gaps contain many candidates, so only those with a large
+    // clearance are moved.
     settings.farthest_move = std::min(0.5 * (1.0 - stipple_tuning.kept_distance) * side,
                                       stipple_tuning.farthest_move * candidates.grid.side);
     for (const double least : {stipple_tuning.least_distance, 0.0}) {
@@ -688,12 +692,12 @@ glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double
     for (int vertex = 0; vertex < most_vertices; ++vertex) {
         const glm::dvec2 a = around[edge[0]];
         const glm::dvec2 direction = ascent_direction(at, a, edge[1] == none ? nullptr : &around[edge[1]]);
-        // The distance at which the nearest point is `wanted` away: |at + t d - a| = wanted.
+        // The length t of the move after which the nearest point a is `wanted` away: |at + t d - a| = wanted.
         const double along = glm::dot(at - a, direction);
         const double own = squared(at - a);
         const double missing = wanted * wanted - own;
         const double enough = missing > 0.0 ? std::sqrt(along * along + missing) - along : 0.0;
-        // The distance at which another point is as near as the nearest: |at + t d - q| = |at + t d - a|.
+        // The length t of the move after which another point q is as near as a: |at + t d - q| = |at + t d - a|.
         double distance = 2.0 * farthest;
         std::size_t third = none;
         for (std::size_t i = 0; i < around.size(); ++i) {
@@ -712,8 +716,8 @@ glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double
             edge[1] = third;
             continue;
         }
-        // Three points are equally near. If they surround the place, this is a maximum. Otherwise the move continues
-        // across that edge of their triangle beyond which the place lies.
+        // Three points are equally near. If they surround the place, this is a maximum. Otherwise, the move continues
+        // across the edge of their triangle that separates the place from the triangle.
         const glm::dvec2 b = around[edge[1]];
         const glm::dvec2 c = around[third];
         const double all = signed_area(a, b, c);

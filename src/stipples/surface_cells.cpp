@@ -37,7 +37,8 @@ struct VisitedCell {
            cells.region.grown(0.5 * cells.grid.side).contains(cells.grid.centre(cell));
 }
 
-// Returns the distance from the surface of the centre of `next`, by the plane of the cell at `place`.
+// Returns the distance between the surface and the centre of `next`, as estimated from the plane of `cell`, which is at
+// `place`.
 [[nodiscard]] double expected_at(const SurfaceCells& cells, const SurfaceCell& cell, const Cell& place,
                                  const Cell& next) noexcept {
     const glm::dvec3 way(static_cast<double>(next[0] - place[0]), static_cast<double>(next[1] - place[1]),
@@ -45,9 +46,10 @@ struct VisitedCell {
     return cell.distance + cells.grid.side * glm::dot(cell.normal, way);
 }
 
-// Returns, as bits, the neighbours of a cell that the flood enters. It skips a neighbour if the plane of this cell says
-// that the surface is too far from it; it may still reach that neighbour from another cell. If `anywhere`, it skips
-// none for this reason: an earlier plane was wrong, as at a sharp rim, or if f is not like a distance.
+// Returns, as bits, the neighbours of a cell that the flood enters. A neighbour is skipped if, by the plane of this
+// cell, its centre is too far from the surface. The flood may still enter a skipped neighbour from another cell. If
+// `anywhere`, no neighbour is skipped for this reason, because an earlier plane was wrong. This happens at a sharp rim,
+// or if f is not like a distance.
 [[nodiscard]] std::uint32_t flooded_neighbours_of(const SurfaceCells& cells, const Cell& place, const SurfaceCell& cell,
                                                   bool anywhere) noexcept {
     const double side = cells.grid.side;
@@ -67,8 +69,9 @@ struct VisitedCell {
 
 // Judges a cell. It is a surface cell if some of its points are in the band, by its first-order distance, or if it has
 // a seed. The flood continues only from cells through which the surface may pass, so that it does not jump to another
-// sheet a few cells away. This reaches all of the band: the surface point nearest to a point of the band is at most one
-// cell away (along each axis, 1/2 + 1/2 sqrt 3 + 1/2 < 2). The flood also stops at the end of a trimmed surface.
+// sheet a few cells away. The flood still reaches the whole band: for each point of the band, the nearest surface point
+// is in the same cell or in a cell beside it (along each axis, 1/2 + 1/2 sqrt 3 + 1/2 < 2). The flood also stops at the
+// end of a trimmed surface.
 [[nodiscard]] VisitedCell visit_cell(const marks::Site& site, const SurfaceCells& cells, const FloodCell& from,
                                      bool seeded, double distance, const glm::dvec3& gradient) {
     const Cell place = geometry::CellGrid::unpack(from.cell);

@@ -2,8 +2,8 @@
 // The cells of a grid that the surface passes through, each with a plane that approximates the function there.
 //
 //   find_surface_cells   seeds on the surface → SurfaceCells, by a flood from cell to neighbour
-//   CellMap              codes of cells → the number of the cell with a code
-//   CellMap::around      a code → the numbers of the 27 cells around that cell
+//   CellMap              codes of cells → the index of the cell with a code
+//   CellMap::around      a code → the indices of the 27 cells around the cell with this code
 #pragma once
 
 #include "base/assert.h"
@@ -50,10 +50,11 @@ struct SurfaceCells {
 [[nodiscard]] SurfaceCells find_surface_cells(const marks::Site& site, const geometry::VecArray& seeds,
                                               const geometry::Bounds& region, double side);
 
-// Finds the number of a cell by its code: a hash table of blocks of 4 x 4 x 4 cells.
+// Finds the index of a cell by its code: a hash table of blocks of 4 x 4 x 4 cells.
 class CellMap {
 public:
-    // The numbers of the 27 cells around a cell, or -1 where there is no cell. The first coordinate changes fastest.
+    // The indices of the 27 cells around a cell (with the cell itself), or -1 where there is no cell. The first
+    // coordinate changes fastest.
     using Around = std::array<std::int32_t, geometry::neighbour_count>;
     static constexpr std::size_t centre_index = 13;
     static constexpr std::size_t step_along[3] = {1, 3, 9};
@@ -63,13 +64,13 @@ public:
     CellMap(base::Memory& memory, const base::Array<std::uint64_t>& codes);
     explicit CellMap(const SurfaceCells& cells);
 
-    // Returns the number of the cell with a code, or -1.
+    // Returns the index of the cell with this code, or -1 if there is no such cell.
     [[nodiscard]] std::int32_t find(std::uint64_t code) const noexcept {
         const std::int32_t* const numbers = find_block(code / geometry::cells_of_block);
         return numbers == nullptr ? -1 : numbers[code % geometry::cells_of_block];
     }
-    // Blocks that were found for the last cell. Cells of the same block share them, so callers should ask in the order
-    // of codes.
+    // The blocks that around() found for the last cell. They are used again for cells of the same block, so callers
+    // should call around() in the order of codes.
     struct BlocksAround {
         std::uint64_t block = ~std::uint64_t{0};
         std::array<const std::int32_t*, geometry::neighbour_count> numbers{};
@@ -77,14 +78,14 @@ public:
     [[nodiscard]] Around around(std::uint64_t code, BlocksAround& blocks) const noexcept;
 
 private:
-    // Returns the numbers of all cells of a block, in the order of their codes, or null if the block has no cell.
+    // Returns the indices of all cells of a block, in the order of their codes, or null if the block has no cell.
     [[nodiscard]] const std::int32_t* find_block(std::uint64_t block) const noexcept {
         if (slots_.empty()) return nullptr;
         const Slot& place = slots_[slot_of(block)];
         return place.key == 0 ? nullptr : number_[place.numbers].data();
     }
     struct Slot {
-        std::uint64_t key; // block + 1, or 0 if the place is free
+        std::uint64_t key; // block + 1, or 0 if the slot is free
         std::int64_t numbers;
     };
     [[nodiscard]] std::int64_t slot_of(std::uint64_t block) const noexcept;

@@ -12,7 +12,7 @@ struct StippleTuning {
 
     // Marks lie in the bounding box of the samples, enlarged by the spacing of the samples. The two constants bound the
     // enlargement, as shares of the box's diagonal. Larger: open sheets extend farther beyond their samples, and other
-    // sheets of the function come in.
+    // sheets of the function get into the box.
     double least_margin = 0.03;
     double most_margin = 0.10;
     // The largest side of a cell is the region's diagonal divided by this. Larger: finer details are found, and there
@@ -49,8 +49,8 @@ struct StippleTuning {
     // The density of layer candidates divided by that of plane candidates. Layer candidates are random, so they leave
     // gaps. Larger: more even where the surface bends.
     double layer_density = 1.4;
-    // The largest number of rounds that generate candidates. Rounds end earlier if there are `enough` times the wanted
-    // number. Larger: the number is closer to the wanted one if f is not like a distance.
+    // The largest number of rounds that generate candidates. Rounds end earlier if there are `candidates_share` times
+    // the wanted number of candidates. Larger: the number is closer to the wanted one if f is not like a distance.
     int candidate_rounds = 4;
     double candidates_share = 0.85;
     // The largest number of trials for each wanted candidate. Larger: more time is spent where planes and surface
@@ -106,8 +106,8 @@ struct StippleTuning {
     // All places with less energy than this count as equally empty. Larger: the first marks of a stage are less even.
     float least_threshold = 0.05F;
     // If a sweep adds less than the share `poor_sweep` of the expected marks, the threshold rises to the lowest energy
-    // times `rise`. If the stage has more than the share `nearly_full` of its marks, it rises to the lowest energy
-    // times `last_threshold_rise`. Larger: fewer sweeps, less even.
+    // times `threshold_rise`. If the stage has more than the share `nearly_full` of its marks, it rises to the lowest
+    // energy times `last_threshold_rise`. Larger: fewer sweeps, less even.
     double poor_sweep = 0.25;
     float threshold_rise = 1.06F;
     float last_threshold_rise = 1.02F;
@@ -126,8 +126,9 @@ struct StippleTuning {
     // A candidate moves by at most this share of a side of its cell, because places farther away may be off the
     // surface. Larger: more gaps are filled.
     double farthest_move = 0.25;
-    // After a failed move, the squared distance of the candidate is set to this share of the necessary one. Larger:
-    // more trials.
+    // After a failed move, the stored clearance of the candidate (its squared distance from marks) is set to at most
+    // this share of the clearance that a move needs. So the candidate is tried again only when the least distance has
+    // become smaller. Larger: more trials.
     float retry_clearance = 0.97F;
     // A candidate does not move if the cosine between its normal and the normal of a mark nearby is below this, because
     // the surface bends. Larger: fewer gaps are filled.
@@ -143,19 +144,20 @@ struct StippleTuning {
     // Larger: more gaps.
     double least_apart = 0.66;
 
-    // ---- Density (density.cpp)
+    // ---- Density (blue_noise.cpp)
 
     // The number of marks from which the mean density is estimated, with an error of up to the factor `mean_error`.
     // With more marks a smaller factor is enough.
     std::int64_t probes = 2048;
     double mean_error = 1.06;
-    // The even order has at most this many times as many marks as are kept. Larger: more marks where the mean density
-    // is low, in more time.
+    // The number of marks of the even order is at most this multiple of the number of marks that are kept. Larger: more
+    // marks where the mean density is low, in more time.
     double most_excess = 16.0;
 };
 inline constexpr StippleTuning stipple_tuning;
 
-// The numbers of cells or of points for a task of a parallel loop, and of points for a call that evaluates f.
+// The number of cells, and the number of points, for a task of a parallel loop; and the number of points for a call
+// that evaluates f.
 inline constexpr std::int64_t cells_a_task = 512;
 inline constexpr std::int64_t points_a_task = 4096;
 inline constexpr std::int64_t points_a_batch = 262144;
