@@ -508,8 +508,8 @@ void straighten(const base::Work& work, Lines& lines, geometry::VecArray& across
 
 // ---- Marks along lines
 
-// Smooths the levels of marks. Around a fork of a coarse wave, the level of a line changes often, but only lasting
-// changes should remain. So each mark gets the median level of the marks within `reach` along the line.
+// Smooths the levels of marks. Where a crest of a coarse wave forks, the level of a line changes often, but only
+// lasting changes should remain. So each mark gets the median level of the marks within `reach` along the line.
 void smooth_levels(Lines& lines, std::int64_t reach) {
     base::Array<std::uint8_t> median(lines.first.memory());
     base::Array<std::uint8_t> near(lines.first.memory());

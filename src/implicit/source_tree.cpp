@@ -54,8 +54,9 @@ SourceTree::SourceTree(const base::Work& work, const geometry::VecArray& centres
 // samples: if the degree is lower by 3, fits of 65 000 samples fail; if it is lower by 1, they need 1.5 times as many
 // iterations.
 //
-// The weights of a fit are proportional to (spacing)^2. The errors of its many far pairs add up like noise, to
-// (spacing) times as much. The constant 7.1 was found by experiments with 24 000 to 262 144 evenly spaced samples.
+// The weights of a fit are proportional to (spacing)^2, and the number of samples to 1 / (spacing)^2. The errors of far
+// pairs add up like noise, so the total error is proportional to (spacing) times the error of one pair with weight 1.
+// The constant 7.1 was found by experiments with 24 000 to 262 144 evenly spaced samples.
 [[nodiscard]] double degree_for_fits(double width, double all, double tolerance) noexcept {
     const double to_converge = 2.0 * std::log2(width) + 6.1;
     const double error = std::pow(width / all, 3.0) / (all * tolerance);

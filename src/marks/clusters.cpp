@@ -303,8 +303,8 @@ void measure_gaps(const base::Work& work, const Layer& layer, base::Array<float>
     geometry::VecArray place(work.memory, marks);
     for (std::int64_t i = 0; i < marks; ++i) place.set(i, glm::dvec3(vector_at(layer.position, i)));
     const geometry::PointGrid grid(place, marks_tuning.gap_reach * layer.report.step, work);
-    // A file may have any separation. If too many marks lie within the reach of each mark, gaps are not measured,
-    // because that would take too long.
+    // The separation may come from a file, and may be far too large. So the neighbours of some marks are counted first.
+    // If each mark has too many, gaps are not measured, because that would take too long.
     const std::int64_t sample = std::max<std::int64_t>(marks / 32, 1);
     std::int64_t visits = 0;
     for (std::int64_t i = 0; i < marks; i += sample) grid.around(place[i], [&](std::int64_t) { ++visits; });

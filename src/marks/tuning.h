@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of point sets. scripts/bench strokes and frame measure their effects.
+// The tuning constants of point sets. `scripts/bench strokes` and `scripts/bench frame` measure their effects.
 #pragma once
 
 #include <cstdint>

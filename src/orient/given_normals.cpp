@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The steps of a judgement are:
 //
-//   compare              measures how alike the given normals and those of least energy are; colours are not alike
+//   compare              measures how alike the given normals and those of least energy are
 //   are_inward           tells whether most normals point inward; if so, all are turned
 //   have_random_signs    tells whether neighbours agree by chance only; if so, each gets the sign of least energy
 //   find_turned_patches  finds patches whose normals are opposite to those of least energy, and which are turned

@@ -239,8 +239,9 @@ struct OrientTuning {
     // opposite. Where the least energy is wrong, because walls are too thin for the noise, the mean is only -0.2 to
     // -0.8.
     double torn = -0.9;
-    // If the least energy is doubtful, opposite neighbours may be the two sides of a wall. They are if the share of
-    // them at the back of the place differs by more than this from the share at its front. Random signs give equal
+    // If the least energy is doubtful, neighbours with opposite normals may lie on the two sides of a wall. Then most
+    // of them lie on one side of a place: at its back, as seen along its normal, or at its front. They count as walls
+    // if the shares of these neighbours at the back and at the front differ by more than this. Random signs give equal
     // shares. Larger: fewer walls are found.
     double walls = 0.3;
 };

@@ -222,7 +222,8 @@ Vector<LayerPlan> layers_of_preset(const Call& call) {
         const hrbfnpr_layer_desc* const first = hrbfnpr_preset_layers(options.desc.preset, &count);
         for (std::int64_t i = 0; i < count; ++i) layers.push_back({first[i], false});
     }
-    // The preset orders its strokes from light to dark. The caller may choose another order.
+    // The layers of a preset have separate tone ranges, which add strokes from light to dark. If the caller sets
+    // marks.tone_ranges, that setting replaces them: ranges of 0 to 0 mean that it decides.
     if (is_changed_by_caller(options.changes, "marks.tone_ranges"))
         for (LayerPlan& layer : layers)
             layer.desc.tone_begin = layer.desc.tone_end = layer.desc.second_tone_begin = layer.desc.second_tone_end = 0;

@@ -18,7 +18,8 @@ inline constexpr std::int32_t largest_settings_side = 32768;
 // The names of the painted maps, indexed by HRBFNPR_DAB_*.
 inline constexpr std::string_view dab_map_names[] = {"tone", "density", "direction"};
 
-// Names or paths of fields, with their values as texts of changes.
+// Fields and their values. A field is given by its name or path, and its value is written as text, as in a list of
+// changes.
 using FieldTexts = Vector<std::pair<String, String>>;
 
 // Returns whether settings store a field. They omit flags that describe the arrays of a struct, because these are set

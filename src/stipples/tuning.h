@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of stipples. scripts/bench quality and points measure their effects; docs/measurements.md has
-// the results.
+// The tuning constants of stipples. `scripts/bench quality` and `scripts/bench points` measure their effects;
+// docs/measurements.md has the results.
 #pragma once
 
 #include <cstdint>

@@ -86,7 +86,7 @@ struct VisibilityTuning {
     double unseen_length = 0.25;
     // The branches of a group of cusps cross at most this far from it, in units of `unseen_length`.
     double branch_reach = 8.0;
-    // The number of rays for each line whose outline is wanted, at most.
+    // The largest number of rays for each line that is tested for being part of the outline of the drawing.
     int outline_rays = 3;
     // From round to round, the tolerance of the image is multiplied by this.
     double round_factor = 0.1;

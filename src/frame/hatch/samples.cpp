@@ -771,7 +771,8 @@ void place_samples(const Marks& m, std::int64_t steps, HatchSamples& to) {
             to.at.push_back(length);
             to.ends.push_back(ends);
         } else if (ends != 0) {
-            to.at.back() = length; // The end of the line is an exact sample.
+            to.at.back() = length; // An end of the line replaces the last sample, which is too close to it, so that a
+                                   // sample lies exactly at the end.
             to.ends.back() |= ends;
         }
     };

@@ -101,8 +101,9 @@ public:
     void operator()() {
         find_presences();
         if (std::none_of(row(by_tone), row(by_tone) + size(), [](float p) { return p > 0.0F; })) return;
-        // Gaps of tone no longer than the line's width look like mistakes, so they are closed. Where a level has no
-        // space, the line has no width, and no gap is visible.
+        // Gaps that the tone makes in a line look like mistakes if they are no longer than the line's width, so they
+        // are closed. Where other lines leave no space for lines of this level, the line has no width, so its gaps are
+        // not visible.
         close_gaps(by_tone, [&](std::int64_t i) {
             const float most = std::max(hatch_tuning.least_gap * sample(i).width, hatch_tuning.least_gap_pixels);
             return std::pair(0.5F * most, most);

@@ -19,7 +19,7 @@ struct Light {
 
 // The matrices that take the positions and normals of a set to the picture, as rows.
 struct ViewTransform {
-    float clip[4][4];   // to x w, y w, window depth w, w
+    float clip[4][4];   // to (x w, y w, depth w, w), with x and y in pixels and the window depth
     float eye[3][4];    // to eye space
     bool rigid;         // the matrix `normal` keeps lengths
     float normal[3][3]; // to eye space

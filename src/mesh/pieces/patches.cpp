@@ -368,8 +368,8 @@ PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Crease
         if (normals.tip[corner] == 0) return add(place, normals.normal[corner], crease);
         if (std::find(tips.begin(), tips.end(), place) == tips.end()) tips.push_back(place);
     };
-    // Places on a crease lie on the curved surface of their patch. The two sheets meet between the places of the two
-    // patches.
+    // Adds places on a side of a face that is a crease. They lie on the curved surface of this patch, so the patch on
+    // the other side may have slightly different places there. The two sheets meet between these places.
     const auto add_crease = [&](std::int32_t face, int k) {
         const auto p = mesh.corners(face);
         const auto a = static_cast<std::size_t>(k);

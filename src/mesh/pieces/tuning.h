@@ -86,8 +86,8 @@ struct PatchTuning {
     // The cosine between the normals of faces of one flat is at least this. It allows for one degree, because files
     // round normals. Larger: flats end early.
     double flat_cosine = 0.99985;
-    // A flat keeps its normal if its area is this many times the area of any other flat at the vertex. Larger: fewer
-    // flats stay flat. At 0 the base of a cone with 24 sides has 1.5 times the error.
+    // A flat region keeps its normal at a vertex if its area is at least this many times the area of every other flat
+    // region there. Larger: fewer regions stay flat. At 0 the base of a cone with 24 sides has 1.5 times the error.
     double much_larger = 3.0;
     // At the tip of a cone, the mean normal and the face normals differ by at least this on average, in radians.
     // Larger: blunt tips are rounded.

@@ -42,7 +42,7 @@ public:
         char digits[24];
         return *this << until(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
     }
-    // Writes a number of thousandths without trailing zeros.
+    // Writes number / 1000 as a decimal without trailing zeros; for example, 1500 becomes 1.5.
     TextOut& thousandths(std::int64_t number) {
         char digits[32];
         char* end = digits;

@@ -760,7 +760,8 @@ PageCounts write_page(const base::Work& work, const Page& page, const PageSettin
     }
     for (Placement placement : page.placements) {
         placement.with_paper = filled && placement.drawing->paper != paper;
-        placement.far_to_near = !sorted; // if ink is sorted for a pen, each pen is used only once
+        placement.far_to_near = !sorted; // if lines are sorted for plotting, each pen is used only once, so ink is not
+                                         // ordered from far to near
         lay_out(memory, placement, page.pens, dashed, work.part(done / parts, (done + 1.0) / parts));
         done += 1.0;
         work.update(done / parts);
