@@ -141,7 +141,7 @@ private:
     const Items& items_;
 };
 
-// Returns an idle drawing or, if there is none, a new drawing, with a reference for the caller. A drawing is idle if
+// Returns an idle drawing, or else a new drawing, with a reference for the caller. A drawing is idle if
 // only the renderer holds a reference to it. All idle drawings release their point sets.
 hrbfnpr_drawing* idle_drawing(hrbfnpr_renderer& renderer) {
     hrbfnpr_drawing* idle = nullptr;

@@ -140,8 +140,8 @@ void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int
     const bool last_turned = waves.turned(corner, last);
     // The line field reverses its direction here, so nothing is linked.
     if ((next_turned != last_turned) != waves.turned(next, last)) return;
-    // The crossings without a partner so far: 2 * slot, plus 1 if the phase rises on the walk. The sign of the phase is
-    // that for the line at the first corner.
+    // The crossings that still have no partner: 2 * slot, plus 1 if the phase rises on the walk. The sign of the phase
+    // is that for the line at the first corner.
     open.clear();
     const auto add = [&](std::int64_t crossing, bool backwards, bool owned) {
         const Crossing& c = found.crossing[crossing];

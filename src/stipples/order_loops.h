@@ -58,7 +58,7 @@ inline void unpack_normal(float packed, float (&normal)[3]) noexcept {
 // The lowest energies in a block of candidates.
 struct LowestEnergy {
     // The index of the candidate with the lowest energy among those with at least the required clearance. Of several
-    // such candidates, the first is taken. -1 if there is none.
+    // such candidates, the first is taken. -1: no candidate.
     std::int64_t at;
     float energy;           // the energy of the candidate `at`; infinite if `at` is -1
     float at_any_clearance; // the lowest energy of all candidates, whatever their clearance
