@@ -191,7 +191,7 @@ HRBFNPR_API const char* hrbfnpr_status_name(hrbfnpr_status status);
 typedef struct hrbfnpr_error {
     uint32_t struct_size;  /* bytes; set by hrbfnpr_error_init */
     hrbfnpr_status status; /* the status that the failed call returned */
-    char message[248];     /* UTF-8, zero-terminated; a longer message is cut between two characters */
+    char message[248];     /* UTF-8, zero-terminated; a message of more bytes is cut between two characters */
 } hrbfnpr_error;
 
 /* Sets struct_size, the status OK and an empty message.
@@ -592,7 +592,7 @@ typedef struct hrbfnpr_fit_desc {
     int32_t iteration_limit;  /* largest number of iterations of ITERATIVE; 1 to 1000000; default 200 */
     uint32_t preconditioner_neighbours; /* neighbours of each sample in the preconditioner of ITERATIVE; 1 to 48;
                                            default 0 = by the kernel and the number of samples.  More neighbours give
-                                           fewer iterations and a longer setup */
+                                           fewer iterations and a slower setup */
     uint32_t normal_mode;     /* HRBFNPR_NORMALS_...: how far `normals` can be trusted; default GIVEN.  NONE and AUTO
                                  work without normals */
     uint32_t trim;            /* HRBFNPR_TRIM_...; default AUTO */
@@ -916,7 +916,7 @@ enum {
     HRBFNPR_PROJECTION_CONVERGED = 0,     /* the point is on the surface, within the tolerance */
     HRBFNPR_PROJECTION_NOT_CONVERGED = 1, /* the evaluation limit was reached, or no step lowers f^2 */
     HRBFNPR_PROJECTION_ZERO_GRADIENT = 2, /* the point is stuck off the surface, where the gradient vanishes */
-    HRBFNPR_PROJECTION_NOT_FINITE = 3     /* f or its gradient is not finite, or the gradient is longer than 1e150 */
+    HRBFNPR_PROJECTION_NOT_FINITE = 3     /* f or its gradient is not finite, or the gradient exceeds 1e150 */
 };
 
 /* How points are projected. */

@@ -90,7 +90,7 @@ constexpr auto picture_fields() noexcept {
                       field("subdivide", &D::subdivide, rule::Between{-1.0, 6.0}),
                       field("profile", &D::profile, rule::OneOf{HRBFNPR_PROFILE_NO, "HRBFNPR_PROFILE_*"}),
                       field("viewpoint", &D::viewpoint, rule::IndexedNumbers{OrNan{any_number}}),
-                      field("depth_smoothing", &D::depth_smoothing, OrNan{rule::Between{0.0, 1e3}}),
+                      field("depth_smoothing", &D::depth_smoothing, OrNan{rule::Between{0.0, 100.0}}),
                       field("random_seed", &D::random_seed, rule::Any{}),
                       field("mark_kinds", &D::mark_kinds, rule::Any{}),
                       field("seed_points", &D::seed_points, rule::Any{}),

@@ -103,7 +103,8 @@ PaintedMap::PaintedMap(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, Poo
     if (largest > 0.0) cell_side_ = 2.0 * largest;
     for (std::size_t i = 0; i < dabs_.size(); ++i) {
         const hrbfnpr_dab& dab = dabs_[i];
-        // A cell is as wide as the largest dab, so a dab is in at most two cells along each axis.
+        // A cell is as wide as the largest dab, so a dab is in at most two cells along each axis, or three after
+        // rounding.
         std::array<std::int64_t, 3> low{}, high{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             low[axis] = paint_cell_along(dab.position[axis] - dab.radius, cell_side_);

@@ -82,8 +82,8 @@ TEST_F(CurveFitTest, StaysNearLongSegments) {
     EXPECT_LE(apart(line, line.front(), fit.fit(line, 0.05, false)), 0.08);
 }
 
-// The points are so far apart that the number of pieces exceeds any integer. The fit uses the largest number that is
-// allowed, each piece with its own curve, as the tolerance is below the rounding errors.
+// The tolerance is below the rounding errors of these distances, so no number of pieces would be enough. The fit uses
+// the largest number of pieces that is allowed, and each piece gets its own curve.
 TEST_F(CurveFitTest, TakesPointsAnyDistanceApart) {
     std::vector<dvec2> line{{0, 0}, {50, 0}, {90, 25}, {91, 26}, {92, 28}, {93, 31}, {60, 80}};
     for (dvec2& p : line) p *= std::ldexp(1.0, 120);

@@ -109,6 +109,8 @@ def test_a_noisy_wall_becomes_smooth(tmp_path, capsys):
     assert kept > 1.05 * distance and turned < 3  # the fit reduces noise, too
     assert main(["fit", str(file), str(tmp_path / "c.hrbf"), "--depth-smoothing", "-1"]) == 1
     assert "--depth-smoothing is -1" in capsys.readouterr().err
+    assert main(["fit", str(file), str(tmp_path / "c.hrbf"), "--depth-smoothing", "101"]) == 1
+    assert "--depth-smoothing is 101; it must be from 0 to 100" in capsys.readouterr().err
 
     # The same points without their rows.
     file = write(tmp_path, "b.pcd", pcd(points.reshape(1, -1, 3)[:, ::7]))

@@ -296,7 +296,7 @@ export declare const PROJECTION: {
   readonly NOT_CONVERGED: 1;
   /** the point is stuck off the surface, where the gradient vanishes */
   readonly ZERO_GRADIENT: 2;
-  /** f or its gradient is not finite, or the gradient is longer than 1e150 */
+  /** f or its gradient is not finite, or the gradient exceeds 1e150 */
   readonly NOT_FINITE: 3;
 };
 /** The constants of PROJECTION, as options spell them. */

@@ -141,7 +141,7 @@ export interface FitDesc {
   iterationLimit?: number;
   /**
    * neighbours of each sample in the preconditioner of ITERATIVE; 1 to 48; default 0 = by the kernel and the
-   * number of samples. More neighbours give fewer iterations and a longer setup
+   * number of samples. More neighbours give fewer iterations and a slower setup
    */
   preconditionerNeighbours?: number;
   /** HRBFNPR_NORMALS_...: how far `normals` can be trusted; default GIVEN. NONE and AUTO work without normals */

@@ -348,7 +348,7 @@ pub struct hrbfnpr_error {
     pub struct_size: u32,
     /// the status that the failed call returned
     pub status: hrbfnpr_status,
-    /// UTF-8, zero-terminated; a longer message is cut between two characters
+    /// UTF-8, zero-terminated; a message of more bytes is cut between two characters
     pub message: [c_char; 248],
 }
 
@@ -855,7 +855,7 @@ pub struct hrbfnpr_fit_desc {
     /// largest number of iterations of ITERATIVE; 1 to 1000000; default 200
     pub iteration_limit: i32,
     /// neighbours of each sample in the preconditioner of ITERATIVE; 1 to 48; default 0 = by the
-    /// kernel and the number of samples. More neighbours give fewer iterations and a longer setup
+    /// kernel and the number of samples. More neighbours give fewer iterations and a slower setup
     pub preconditioner_neighbours: u32,
     /// HRBFNPR_NORMALS_...: how far `normals` can be trusted; default GIVEN. NONE and AUTO work
     /// without normals
@@ -1348,7 +1348,7 @@ pub const HRBFNPR_PROJECTION_CONVERGED: u32 = 0;
 pub const HRBFNPR_PROJECTION_NOT_CONVERGED: u32 = 1;
 /// the point is stuck off the surface, where the gradient vanishes
 pub const HRBFNPR_PROJECTION_ZERO_GRADIENT: u32 = 2;
-/// f or its gradient is not finite, or the gradient is longer than 1e150
+/// f or its gradient is not finite, or the gradient exceeds 1e150
 pub const HRBFNPR_PROJECTION_NOT_FINITE: u32 = 3;
 
 /// How points are projected.
