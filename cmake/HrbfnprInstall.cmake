@@ -10,6 +10,9 @@ install(TARGETS hrbfnpr EXPORT hrbfnprTargets
   LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   PUBLIC_HEADER DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+if(TARGET hrbfnpr_import_library) # see HrbfnprExports.cmake
+  install(FILES "${hrbfnpr_import_library}" DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+endif()
 install(EXPORT hrbfnprTargets NAMESPACE hrbfnpr:: DESTINATION "${package_dir}")
 
 # A shared library brings all its dependencies. A static library needs the C++ runtime, libm and threads from the

@@ -3,6 +3,7 @@
 
 #include <clocale>
 #include <cstdio>
+#include <cstring>
 
 #if defined(__APPLE__)
 #include <xlocale.h>
@@ -13,11 +14,17 @@
 namespace hrbfnpr::base {
 
 #if defined(_WIN32)
+// The functions of Microsoft's C library that take a locale are not used, because the old library lacks %zu, and writes
+// 1e-005 for 1e-05. Here setlocale changes only the locale of this thread.
 void format_text(char* destination, std::size_t capacity, const char* format, std::va_list arguments) noexcept {
-    const _locale_t plain = _create_locale(LC_ALL, "C");
-    if (_vsnprintf_l(destination, capacity, format, plain, arguments) < 0 && capacity > 0)
-        destination[capacity - 1] = '\0';
-    _free_locale(plain);
+    const int mode = _configthreadlocale(_ENABLE_PER_THREAD_LOCALE);
+    char hosts[256] = "C";
+    if (const char* const current = setlocale(LC_NUMERIC, nullptr); current != nullptr)
+        std::strncpy(hosts, current, sizeof hosts - 1);
+    setlocale(LC_NUMERIC, "C");
+    std::vsnprintf(destination, capacity, format, arguments);
+    setlocale(LC_NUMERIC, hosts); // restore the host's locale for this thread
+    if (mode != -1) _configthreadlocale(mode);
 }
 #else
 void format_text(char* destination, std::size_t capacity, const char* format, std::va_list arguments) noexcept {

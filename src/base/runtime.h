@@ -2,6 +2,7 @@
 // The memory, threads, instruction set and log of the context, which every stage receives.
 #pragma once
 
+#include "base/format.h"
 #include "base/instruction_set.h"
 #include "base/memory.h"
 #include "base/parallel.h"
@@ -34,7 +35,7 @@ public:
 
     // Writes a log message. Call it only on the thread that entered the library. Messages below the log's least level
     // are not formatted.
-    [[gnu::format(printf, 3, 4)]] void log(LogLevel level, const char* format, ...) const noexcept;
+    HRBFNPR_PRINTF_LIKE(3, 4) void log(LogLevel level, const char* format, ...) const noexcept;
 
     Memory& memory{own_memory_};
     Parallel parallel{0, nullptr, nullptr};

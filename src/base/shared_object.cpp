@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "base/shared_object.h"
 
+#if defined(_WIN32)
+#include "base/windows.h"
+#endif
 // Emscripten has dladdr, but calling it ends the program.
 #if __has_include(<dlfcn.h>) && !defined(__EMSCRIPTEN__)
 #include <dlfcn.h>
@@ -9,7 +12,24 @@
 
 namespace hrbfnpr::base {
 
-#if defined(HRBFNPR_HAS_SHARED_OBJECTS)
+#if defined(_WIN32)
+
+// The last handle to a DLL cannot be released by code of that DLL, because the code would be gone when the call returns. So
+// the DLL stays in memory until the process ends.
+void* hold_shared_object(const void* address) noexcept {
+    keep_shared_object(address);
+    return nullptr;
+}
+
+void release_shared_object(void* /*held*/) noexcept {}
+
+void keep_shared_object(const void* address) noexcept {
+    HMODULE module = nullptr;
+    GetModuleHandleExW(GET_MODULE_HANDLE_EX_FLAG_FROM_ADDRESS | GET_MODULE_HANDLE_EX_FLAG_PIN,
+                       static_cast<LPCWSTR>(address), &module);
+}
+
+#elif defined(HRBFNPR_HAS_SHARED_OBJECTS)
 
 namespace {
 

@@ -10,6 +10,12 @@
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
 #endif
 
+// On arm64 NEON is both the least and the only instruction set that is used. GCC 12 crashes on Highway's SVE.
+#if defined(__aarch64__) && !defined(HWY_COMPILE_ONLY_STATIC)
+#define HWY_COMPILE_ONLY_STATIC
+#define TOOLCHAIN_MISS_SYS_AUXV_H
+#endif
+
 #include "base/instruction_set.h"
 
 #include <hwy/foreach_target.h>
@@ -32,7 +38,8 @@
 // The function `name` from the namespace of the instruction set `set` or, if the build has no code for this set, from
 // that of the build's baseline.
 #define HRBFNPR_PICK(set, name)                                                                                        \
-    (HRBFNPR_PICK_AVX512(set, name) HRBFNPR_PICK_AVX2(set, name) HWY_CONCAT(N_, HWY_STATIC_NAME)::name)
+    (static_cast<void>(set),                                                                                           \
+     HRBFNPR_PICK_AVX512(set, name) HRBFNPR_PICK_AVX2(set, name) HWY_CONCAT(N_, HWY_STATIC_NAME)::name)
 #if HWY_STATIC_TARGET == HWY_SCALAR
 #define HWY_STATIC_NAME SCALAR
 #elif HWY_STATIC_TARGET == HWY_EMU128
@@ -43,6 +50,8 @@
 #define HWY_STATIC_NAME AVX3
 #elif HWY_STATIC_TARGET == HWY_NEON
 #define HWY_STATIC_NAME NEON
+#elif defined(HWY_NEON_WITHOUT_AES) && HWY_STATIC_TARGET == HWY_NEON_WITHOUT_AES
+#define HWY_STATIC_NAME NEON_WITHOUT_AES
 #elif HWY_STATIC_TARGET == HWY_WASM
 #define HWY_STATIC_NAME WASM
 #endif

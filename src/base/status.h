@@ -2,6 +2,8 @@
 // Failures inside the library. They are exceptions of a single type with a status and a message.
 #pragma once
 
+#include "base/format.h"
+
 #include <cstdint>
 #include <exception>
 
@@ -40,7 +42,7 @@ private:
 };
 
 // Throws an Error with a printf-formatted message.
-[[noreturn]] [[gnu::format(printf, 2, 3)]] void fail(Status status, const char* format, ...);
+HRBFNPR_PRINTF_LIKE(2, 3) [[noreturn]] void fail(Status status, const char* format, ...);
 
 // Copies `text` and a terminating zero into `destination`. Text that is too long is cut at a UTF-8 character boundary.
 void copy_message(char* destination, int capacity, const char* text) noexcept;

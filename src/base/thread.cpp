@@ -2,9 +2,14 @@
 #include "base/thread.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <thread>
 
+#if defined(_WIN32)
+#include "base/windows.h"
+#include <process.h>
+#endif
 #if defined(__linux__)
 #include <sched.h>
 #endif
@@ -53,6 +58,16 @@ void name_this_thread([[maybe_unused]] const char* name) noexcept {
     pthread_setname_np(name);
 #elif defined(__linux__)
     pthread_setname_np(pthread_self(), name);
+#elif defined(_WIN32)
+    // Systems older than Windows 10, version 1607, lack this function.
+    using Describe = HRESULT(WINAPI*)(HANDLE, PCWSTR);
+    const HMODULE kernel = GetModuleHandleW(L"kernel32.dll");
+    if (kernel == nullptr) return;
+    const FARPROC found = GetProcAddress(kernel, "SetThreadDescription");
+    if (found == nullptr) return;
+    wchar_t wide[16] = {};
+    std::copy_n(name, std::min(std::strlen(name), std::size_t{15}), wide); // the names are ASCII
+    reinterpret_cast<Describe>(reinterpret_cast<void (*)()>(found))(GetCurrentThread(), wide);
 #endif
 }
 
@@ -60,12 +75,36 @@ void name_this_thread([[maybe_unused]] const char* name) noexcept {
 
 } // namespace
 
-#if HRBFNPR_HAS_THREADS
+#if defined(_WIN32)
 
 bool Thread::start(const char* name, Work work, void* user) noexcept {
     work_ = work;
     user_ = user;
-    std::strncpy(name_, name, sizeof name_ - 1);
+    std::copy_n(name, std::min(std::strlen(name), sizeof name_ - 1), name_);
+    const auto size = static_cast<unsigned>(stack_size);
+    const std::uintptr_t started = _beginthreadex(nullptr, size, main, this, STACK_SIZE_PARAM_IS_A_RESERVATION, nullptr);
+    handle_ = reinterpret_cast<void*>(started);
+    return started != 0;
+}
+
+void Thread::join() noexcept {
+    WaitForSingleObject(handle_, INFINITE);
+    CloseHandle(handle_);
+}
+
+unsigned __stdcall Thread::main(void* thread) noexcept {
+    const Thread& self = *static_cast<const Thread*>(thread);
+    name_this_thread(self.name_);
+    self.work_(self.user_);
+    return 0;
+}
+
+#elif HRBFNPR_HAS_THREADS
+
+bool Thread::start(const char* name, Work work, void* user) noexcept {
+    work_ = work;
+    user_ = user;
+    std::copy_n(name, std::min(std::strlen(name), sizeof name_ - 1), name_);
     const SignalBlocker blocked;
     pthread_attr_t attributes;
     if (pthread_attr_init(&attributes) != 0) return false;
@@ -92,7 +131,13 @@ void Thread::join() noexcept {}
 #endif
 
 int processor_count() noexcept {
-#if defined(__linux__)
+#if defined(_WIN32)
+    // Both masks are 0 if the process uses processors of several groups, each of which has at most 64.
+    DWORD_PTR allowed = 0;
+    DWORD_PTR present = 0;
+    if (GetProcessAffinityMask(GetCurrentProcess(), &allowed, &present) != 0 && allowed != 0)
+        return std::popcount(std::uint64_t{allowed});
+#elif defined(__linux__)
     cpu_set_t allowed;
     if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) return std::max(CPU_COUNT(&allowed), 1);
 #endif

@@ -4,7 +4,9 @@
 
 #include <cstdint>
 
-#if __has_include(<pthread.h>)
+#if defined(_WIN32)
+#define HRBFNPR_HAS_THREADS 1
+#elif __has_include(<pthread.h>)
 #include <pthread.h>
 #define HRBFNPR_HAS_THREADS 1
 #else
@@ -31,12 +33,18 @@ public:
     void join() noexcept;
 
 private:
+#if defined(_WIN32)
+    static unsigned __stdcall main(void* thread) noexcept;
+#else
     static void* main(void* thread) noexcept;
+#endif
 
     Work work_ = nullptr;
     void* user_ = nullptr;
     char name_[16] = {};
-#if HRBFNPR_HAS_THREADS
+#if defined(_WIN32)
+    void* handle_ = nullptr;
+#elif HRBFNPR_HAS_THREADS
     pthread_t handle_{};
 #endif
 };

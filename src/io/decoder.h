@@ -59,7 +59,7 @@ public:
     void finish();
 
     // Throws Error{corrupt_data} with the message "this model file is damaged: " and the formatted text.
-    [[noreturn]] [[gnu::format(printf, 2, 3)]] void damaged(const char* format, ...) const;
+    HRBFNPR_PRINTF_LIKE(2, 3) [[noreturn]] void damaged(const char* format, ...) const;
 
 private:
     static constexpr std::int64_t first_elements = 16384;

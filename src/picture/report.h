@@ -4,6 +4,7 @@
 
 #include "api/operation.h"
 #include "base/clock.h"
+#include "base/format.h"
 #include "picture/memory.h"
 
 #include <hrbfnpr.h>
@@ -32,7 +33,7 @@ namespace hrbfnpr::picture {
 [[nodiscard]] String short_name(std::string_view name, Pool& pool);
 
 // Works like printf, but returns a String.
-[[nodiscard]] [[gnu::format(printf, 2, 3)]] String formatted(Pool& pool, const char* format, ...);
+HRBFNPR_PRINTF_LIKE(2, 3) [[nodiscard]] String formatted(Pool& pool, const char* format, ...);
 
 constexpr std::size_t longest_note = 100; // bytes of the text of a note or a warning
 
