@@ -12,7 +12,6 @@ RID is linux-x64, linux-arm64, win-x64, win-arm64, osx-x64 or osx-arm64.  Severa
 import argparse
 import hashlib
 import json
-import re
 import shutil
 import subprocess
 import sys
@@ -35,8 +34,7 @@ UNITY_PLATFORMS = {
 
 
 def version():
-    cmake = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
-    return re.search(r"^\s*VERSION (\d+\.\d+\.\d+)$", cmake, re.MULTILINE).group(1)
+    return json.loads((ROOT / "bindings" / "api.json").read_text(encoding="utf-8"))["version"]
 
 
 def native_files(arguments):

@@ -10,7 +10,6 @@ loads only without threads, or only with threads.
 """
 import argparse
 import json
-import re
 import shutil
 import subprocess
 import sys
@@ -22,8 +21,7 @@ LEFT_OUT = shutil.ignore_patterns("exports.txt")
 
 
 def version():
-    cmake = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
-    return re.search(r"^\s*VERSION (\d+\.\d+\.\d+)$", cmake, re.MULTILINE).group(1)
+    return json.loads((ROOT / "bindings" / "api.json").read_text(encoding="utf-8"))["version"]
 
 
 def modules(build):

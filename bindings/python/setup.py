@@ -36,7 +36,7 @@ class BuildWithLibrary(build_py):
     def run(self) -> None:
         super().run()
         source = library().resolve()
-        # Without version numbers: libhrbfnpr.so.1.0.1.0 becomes libhrbfnpr.so.
+        # Without version numbers: libhrbfnpr.so.1.1.2.3 becomes libhrbfnpr.so.
         name = re.sub(r"(\.so|\.dylib|\.dll).*", r"\1", source.name)
         shutil.copy2(source, Path(self.build_lib) / "hrbfnpr" / name)
 

@@ -6,6 +6,8 @@
 
 #include <hwy/highway.h>
 
+#include <array>
+#include <cstddef>
 #include <cstring>
 #include <string>
 
@@ -14,8 +16,22 @@
 
 namespace {
 
-constexpr const char* version_text = "0.1.0"; // This text must match the numbers below.
-static_assert(HRBFNPR_VERSION_MAJOR == 0 && HRBFNPR_VERSION_MINOR == 1 && HRBFNPR_VERSION_PATCH == 0);
+using VersionText = std::array<char, sizeof "99.99.99">;
+
+// "major.minor.patch" of the header's constants, which are not macros.
+constexpr VersionText make_version_text() {
+    VersionText text{};
+    std::size_t size = 0;
+    for (const int part : {HRBFNPR_VERSION_MAJOR, HRBFNPR_VERSION_MINOR, HRBFNPR_VERSION_PATCH}) {
+        if (size > 0) text[size++] = '.';
+        if (part >= 10) text[size++] = static_cast<char>('0' + part / 10);
+        text[size++] = static_cast<char>('0' + part % 10);
+    }
+    return text;
+}
+
+static_assert(HRBFNPR_VERSION_MAJOR < 100 && HRBFNPR_VERSION_MINOR < 100 && HRBFNPR_VERSION_PATCH < 100);
+constexpr VersionText version_text = make_version_text();
 
 constexpr const char* compiler =
 #if defined(__clang__)
@@ -34,7 +50,7 @@ constexpr const char* highway_version = HRBFNPR_TEXT(HWY_MAJOR) "." HRBFNPR_TEXT
 // The values come from the library, so they need no escapes in JSON.
 std::string build_info() {
     std::string json = "{\"version\": \"";
-    json += version_text;
+    json += version_text.data();
     json += "\", \"abi\": " + std::to_string(HRBFNPR_ABI_VERSION) + ", \"compiler\": \"";
     json += compiler;
     json += R"(", "instruction_sets": [)";
@@ -59,7 +75,7 @@ uint32_t hrbfnpr_version(void) {
 
 uint32_t hrbfnpr_abi_version(void) { return HRBFNPR_ABI_VERSION; }
 
-const char* hrbfnpr_version_string(void) { return version_text; }
+const char* hrbfnpr_version_string(void) { return version_text.data(); }
 
 hrbfnpr_status hrbfnpr_build_info(char* destination, int64_t capacity, int64_t* needed) {
     using namespace hrbfnpr;

@@ -63,7 +63,8 @@ TEST_F(ReadStruct, ALongStructIsRefusedOnlyIfItsTailIsSet) {
     for (std::size_t at = sizeof(hrbfnpr_context_desc); at < sizeof desc; ++at) {
         desc.bytes[at] = 1;
         EXPECT_FAILS(create(), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
-                     "context_desc sets fields that this library, version 0.1.0, does not know");
+                     std::string("context_desc sets fields that this library, version ") + hrbfnpr_version_string() +
+                         ", does not know");
         desc.bytes[at] = 0;
     }
 }

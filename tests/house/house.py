@@ -3,7 +3,7 @@
 
     house.py ROOT CHECK     prints each violation and returns 1, or 77 if it cannot check
 
-A CHECK is one of the functions below: floors, openmp, forbidden, namespaces, sizes, abi_version, spdx, format, words.
+A CHECK is one of the functions below: floors, openmp, forbidden, namespaces, sizes, version, spdx, format, words.
 """
 
 import re
@@ -79,6 +79,16 @@ FORBIDDEN_FLAGS = [
     (r"-ffast-math|-Ofast|-funsafe-math-optimizations", "it switches the host to flush-to-zero at link"),
 ]
 LONGEST_FILE = 900
+# The only files that contain the version as text: bindings/generate writes it, or the file tells the history.
+WITH_VERSION = {
+    "CITATION.cff", "bindings/api.json", "bindings/csharp/Unity/package.json", "bindings/js/package.json",
+    "bindings/rust/hrbfnpr-sys/Cargo.toml",
+    "CHANGELOG.md", "docs/file-format.md", "tests/io/golden_test.cpp",
+}  # fmt: skip
+TEXTS = {
+    "", ".c", ".cff", ".cmake", ".cpp", ".cs", ".csproj", ".h", ".html", ".in", ".js", ".json", ".lua", ".md", ".mjs", ".props",
+    ".py", ".rs", ".sh", ".toml", ".ts", ".txt", ".yml",
+}  # fmt: skip
 
 
 def source_files(root, folders, suffixes):
@@ -182,18 +192,24 @@ def numbers(text, pattern):
     return [int(number) for number in re.findall(pattern, text)]
 
 
-def abi_version(root):
+def version(root):
+    """Only the header sets the version and the ABI version. bindings/generate --check compares the files that it writes."""
     header = (root / "include/hrbfnpr.h").read_text(encoding="utf-8")
-    cmake = (root / "CMakeLists.txt").read_text(encoding="utf-8")
-    in_header = numbers(header, r"HRBFNPR_ABI_VERSION = (\d+)")
-    in_cmake = numbers(cmake, r"set\(HRBFNPR_ABI_VERSION (\d+)\)")
-    in_map = numbers((root / "src/hrbfnpr.map").read_text(encoding="utf-8"), r"(?m)^HRBFNPR_(\d+) \{")
-    if len(in_header) != 1 or in_header != in_cmake or in_header != in_map:
-        yield f"HRBFNPR_ABI_VERSION is {in_header} in hrbfnpr.h, {in_cmake} in CMakeLists.txt, {in_map} in hrbfnpr.map"
-    version = re.findall(r"^\s*VERSION (\d+)\.(\d+)\.(\d+)$", cmake, re.MULTILINE)
-    parts = [numbers(header, rf"HRBFNPR_VERSION_{part} = (\d+)") for part in ("MAJOR", "MINOR", "PATCH")]
-    if [[int(number)] for number in (version[0] if version else ())] != parts:
-        yield f"the version is {parts} in hrbfnpr.h and {version} in CMakeLists.txt"
+    names = [f"HRBFNPR_{name}" for name in ("VERSION_MAJOR", "VERSION_MINOR", "VERSION_PATCH", "ABI_VERSION")]
+    values = [numbers(header, rf"{name} = (\d+)") for name in names]
+    if any(len(found) != 1 for found in values):
+        yield f"include/hrbfnpr.h must set each of {', '.join(names)} once"
+        return
+    literal = re.compile(r"(?<!\d)" + r"\.".join(str(found[0]) for found in values[:3]) + r"(?!\d)")
+    inside = source_files(root, [*WITH_COMMENTS, "include", ".github"], TEXTS)
+    for path in [*(path for path in sorted(root.iterdir()) if path.suffix in TEXTS and path.is_file()), *inside]:
+        name = path.relative_to(root).as_posix()
+        for number, line in enumerate(path.read_text(encoding="utf-8", errors="ignore").splitlines(), 1):
+            if name not in WITH_VERSION and literal.search(line):
+                yield f"{name}:{number} contains the version: read it from the header, or see WITH_VERSION in house.py"
+    for name, pattern in (("CMakeLists.txt", r"\(HRBFNPR_ABI_VERSION \d"), ("src/hrbfnpr.map.in", r"HRBFNPR_\d")):
+        if re.search(pattern, (root / name).read_text(encoding="utf-8")):
+            yield f"{name} sets the ABI version: read it from the header"
 
 
 def spdx(root):
@@ -234,7 +250,7 @@ def words(root):
 
 CHECKS = {
     check.__name__: check
-    for check in (floors, openmp, forbidden, namespaces, sizes, abi_version, spdx, format, words)
+    for check in (floors, openmp, forbidden, namespaces, sizes, version, spdx, format, words)
 }
 
 

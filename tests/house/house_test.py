@@ -11,11 +11,13 @@ import spdx
 
 MIT = "SPDX-License-Identifier: " + "MIT"
 CLEAN = {
-    "CMakeLists.txt": "project(x\n  VERSION 0.1.0\n)\nset(HRBFNPR_ABI_VERSION 3) # as in the header\n",
+    "CMakeLists.txt": "project(x VERSION ${version})\n",
     "CMakePresets.json": "{}\n",
-    "include/hrbfnpr.h": "HRBFNPR_VERSION_MAJOR = 0, HRBFNPR_VERSION_MINOR = 1, HRBFNPR_VERSION_PATCH = 0,\n"
+    "include/hrbfnpr.h": "HRBFNPR_VERSION_MAJOR = 7, HRBFNPR_VERSION_MINOR = 8, HRBFNPR_VERSION_PATCH = 9,\n"
     "HRBFNPR_ABI_VERSION = 3\n",
-    "src/hrbfnpr.map": "HRBFNPR_3 {\n};\n",
+    "src/hrbfnpr.map.in": "HRBFNPR_@HRBFNPR_ABI_VERSION@ {\n};\n",
+    "CHANGELOG.md": "## [7.8.9]\n",
+    "docs/others.md": "eigen-17.8.9, highway-7.8.90\n",
     "src/base/status.h": "#pragma once\n",
     "src/base/parallel_openmp.cpp": '#include "base/status.h"\n#pragma omp parallel for\n',
     "src/implicit/implicit.h": '#pragma once\n#include "base/status.h"\n',
@@ -59,14 +61,16 @@ BREAKS = [
     ("namespaces", "tests/fit/new_test.cpp", "namespace {\n}\n"),
     ("sizes", "src/fit/fit.cpp", "\n" * house.LONGEST_FILE),
     ("sizes", "bindings/csharp/Model.cs", "\n" * (house.LONGEST_FILE + 1)),
-    ("abi_version", "CMakeLists.txt", "set(HRBFNPR_ABI_VERSION 4)\n"),
-    ("abi_version", "include/hrbfnpr.h", "HRBFNPR_VERSION_MINOR = 2\n"),
+    ("version", "CMakeLists.txt", "set(HRBFNPR_ABI_VERSION 3)\n"),
+    ("version", "include/hrbfnpr.h", "HRBFNPR_VERSION_MINOR = 2\n"),
+    ("version", "src/hrbfnpr.map.in", "HRBFNPR_3 {\n};\n"),
+    ("version", "docs/new.md", "pip install hrbfnpr-7.8.9.whl\n"),
+    ("version", ".github/workflows/new.yml", "run: test -e libhrbfnpr.so.3.7.8.9\n"),
     ("spdx", "src/fit/new.cpp", "int a;\n"),
     ("spdx", "src/base/CMakeLists.txt", "add_library(base)\n"),
     ("spdx", "scripts/new", "#!/usr/bin/env bash\nset -e\n"),
     ("spdx", "bindings/new.py", "\n" * spdx.FIRST_LINES + f"# {MIT}\n"),
     ("spdx", "bindings/new.h", "// Made by make_new.py; do not edit.\n"),
-    ("abi_version", "src/hrbfnpr.map", "HRBFNPR_4 {\n};\n"),
     ("format", "src/fit/fit.cpp", "int   a ;\n"),
     ("words", "src/fit/fit.cpp", "// Of a closed one the first.\nint a;\n"),
     ("words", "src/fit/fit.cpp", "int a; // what is no number\n"),

@@ -7,6 +7,7 @@
 """
 
 import os
+import re
 import shlex
 import shutil
 import subprocess
@@ -14,8 +15,17 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-VERSION = "0.1.0"
 SKIPPED = 77
+
+
+def version():
+    """The version of the header."""
+    header = (HERE.parents[1] / "include" / "hrbfnpr.h").read_text(encoding="utf-8")
+    parts = (re.search(rf"HRBFNPR_VERSION_{part} = (\d+)", header) for part in ("MAJOR", "MINOR", "PATCH"))
+    return ".".join(part.group(1) for part in parts)
+
+
+VERSION = version()
 
 
 def run(*command, **options):
@@ -75,7 +85,8 @@ def install(build, work):
 
 def find_package(language, prefix, work):
     build = work / f"find package {language}"
-    configure(HERE / language, build, f"-DCMAKE_PREFIX_PATH={prefix}")
+    wanted = VERSION.rpartition(".")[0]  # MAJOR.MINOR
+    configure(HERE / language, build, f"-DCMAKE_PREFIX_PATH={prefix}", f"-DHRBFNPR_WANTED={wanted}")
     run("cmake", "--build", build)
     run_consumer(build / "consumer")
 

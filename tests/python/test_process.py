@@ -135,7 +135,7 @@ def test_a_missing_library_is_named():
 @pytest.mark.parametrize(
     "source, words",
     [
-        ("unsigned hrbfnpr_abi_version(void) { return 4711; }", "has ABI version 4711, this package needs 1"),
+        ("unsigned hrbfnpr_abi_version(void) { return 4711; }", "has ABI version 4711, this package needs "),
         ("int something_else(void) { return 0; }", "is not a hrbfnpr library"),
     ],
 )
