@@ -116,7 +116,9 @@ npm_reason() {
 # fetch_npm PACKAGE VERSION SHA256: fetches a package from the npm registry into .cache, unless it is there already, and
 # prints the name of the archive. Call it as $(fetch_npm ...), because a failure ends its shell.
 fetch_npm() {
-  local package=$1 version=$2 sum=$3 archive=$root/.cache/$1-$2.tgz folder
+  local package=$1 version=$2 sum=$3 file=${1#@} archive folder
+  file=${file//\//-}-$2.tgz # npm's name of the archive; that of @scope/name begins with scope-name
+  archive=$root/.cache/$file
   if ! [ -f "$archive" ] || ! echo "$sum  $archive" | sha256sum --check --status; then
     mkdir -p "$root/.cache"
     command -v npm >/dev/null || install_packages npm >&2
@@ -126,9 +128,9 @@ fetch_npm() {
     trap "rm -rf '$folder'" EXIT
     (cd "$folder" && npm pack --loglevel=error "$package@$version" >npm.log 2>&1) ||
       die "cannot fetch $package@$version with npm: $(npm_reason "$folder/npm.log" "$package@$version")"
-    echo "$sum  $folder/$package-$version.tgz" | sha256sum --check --status ||
+    echo "$sum  $folder/$file" | sha256sum --check --status ||
       die "$package@$version has another sha256 than expected, so it is not used; fetch it again later"
-    mv "$folder/$package-$version.tgz" "$archive"
+    mv "$folder/$file" "$archive"
   fi
   printf '%s\n' "$archive"
 }
