@@ -16,7 +16,7 @@ package_set() {
   case $1 in
     build) echo g++ cmake ninja-build pkgconf libeigen3-dev libglm-dev libhwy-dev nlohmann-json3-dev ;;
     python) echo python3 python3-cffi python3-numpy python3-pil python3-meshio python3-tqdm ;;
-    test) echo libgtest-dev libgmock-dev locales python3-pytest python3-numpy python3-cffi python3-dev binutils librsvg2-bin ;;
+    test) echo libgtest-dev libgmock-dev locales python3-pytest python3-numpy python3-cffi python3-dev python3-yaml binutils librsvg2-bin ;;
     gallery) echo librsvg2-bin ;;
     scenes) echo draco assimp-utils occt-draw ;;
     guide) echo python3-sphinx python3-myst-parser furo ;;
@@ -37,7 +37,7 @@ package_set() {
     npm) echo npm ;;
     wasm) echo emscripten ;;
     browser) echo chromium node-typescript ;;
-    lint) echo clang-format-14 clang-tidy-14 libomp-14-dev ;;
+    lint) echo clang-format-14 clang-tidy-14 libomp-14-dev nodejs python3-yaml shellcheck ;;
     *) die "there is no package set '$1'" ;;
   esac
 }

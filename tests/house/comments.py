@@ -8,7 +8,7 @@ import tokenize
 
 NO_COMMENT = re.compile(r"SPDX|NOLINT|#!|-\*-|shellcheck|noqa|fmt: ")
 SLASHES = {".h", ".cpp", ".c", ".cs", ".js", ".mjs", ".mts", ".ts", ".rs"}
-HASHES = {".py", ".pyi", ".cmake", ".sh", ".gd", ".in", ".supp"}
+HASHES = {".py", ".pyi", ".cmake", ".sh", ".gd", ".in", ".supp", ".yml"}
 MARKS = {**dict.fromkeys(SLASHES, r"//[/!]?"), **dict.fromkeys(HASHES, r"#"), ".lua": r"--"}
 
 

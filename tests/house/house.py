@@ -66,7 +66,7 @@ HARD_WORDS = [
     (r"\b(where|as|that) there (is|are) none\b", "name the thing that is missing"),
     (r"\b[Nn]obody\b|\b[Ww]hoever\b", "name the code that does it"),
 ]
-WITH_COMMENTS = ["src", "bench", "bindings", "cmake", "docs", "examples", "scripts", "tests"]
+WITH_COMMENTS = [".github", "src", "bench", "bindings", "cmake", "docs", "examples", "scripts", "tests"]
 GENERATED = re.compile(r"\W*Made by .*\bdo not edit\b")
 OPENMP = r"#\s*pragma\s+omp\b|<omp\.h>|\b_OPENMP\b|\bomp_\w+\s*\("
 FORBIDDEN_IN_SOURCES = [
@@ -201,7 +201,7 @@ def version(root):
         yield f"include/hrbfnpr.h must set each of {', '.join(names)} once"
         return
     literal = re.compile(r"(?<!\d)" + r"\.".join(str(found[0]) for found in values[:3]) + r"(?!\d)")
-    inside = source_files(root, [*WITH_COMMENTS, "include", ".github"], TEXTS)
+    inside = source_files(root, [*WITH_COMMENTS, "include"], TEXTS)
     for path in [*(path for path in sorted(root.iterdir()) if path.suffix in TEXTS and path.is_file()), *inside]:
         name = path.relative_to(root).as_posix()
         for number, line in enumerate(path.read_text(encoding="utf-8", errors="ignore").splitlines(), 1):

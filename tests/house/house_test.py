@@ -83,6 +83,8 @@ BREAKS = [
     ("words", "docs/new.py", "def f():\n    # Nobody sees\n    # these lines.\n    pass\n"),
     ("words", "scripts/new", "#!/usr/bin/env python3\n# so many\n"),
     ("words", "scripts/new", "#!/usr/bin/env bash\nset -e # what is left\n"),
+    ("spdx", ".github/workflows/new.yml", "name: new\n"),
+    ("words", ".github/workflows/new.yml", "name: new # what is left\n"),
     ("words", "scripts/new.sh", "# The sides, of which\n# there are so many.\n"),
     ("words", "cmake/New.cmake", "set(A 1) # Of all\n"),
     ("words", "CMakeLists.txt", "# Whoever links it.\n"),

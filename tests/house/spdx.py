@@ -13,7 +13,7 @@ from pathlib import Path
 
 LINE = "SPDX-License-Identifier: MIT"
 FIRST_LINES = 20
-FOLDERS = ("src", "include", "tests", "bench", "examples", "bindings", "scripts", "cmake", "docs")
+FOLDERS = ("src", "include", "tests", "bench", "examples", "bindings", "scripts", "cmake", "docs", ".github")
 # Folders of generated files: build trees, and those of Python and .NET.
 SKIPPED_FOLDERS = {"build", "dist", "bin", "obj", "__pycache__"}
 SLASHES, STARS, HASH, DASHES = "// {}", "/* {} */", "# {}", "-- {}"
@@ -26,6 +26,7 @@ COMMENTS = {
     ".py": HASH,
     ".cmake": HASH,
     ".sh": HASH,
+    ".yml": HASH,
     ".lua": DASHES,
     ".rs": SLASHES,
 }
