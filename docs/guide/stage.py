@@ -77,7 +77,7 @@ def outside_code(change, text):
 def staged(path, names):
     def change(text):
         text = relink(text, path, names)
-        text = re.sub(r"^<!-- not run: .* -->\n", "", text, flags=re.MULTILINE)
+        text = re.sub(r"^ *<!-- not run: .* -->\n", "", text, flags=re.MULTILINE)
         return re.sub(r"^<p align=\"center\">\s*(?:<a [^>]*>)?<img .*?</p>$", figure, text, flags=re.DOTALL | re.MULTILINE)
 
     return outside_code(change, path.read_text(encoding="utf-8"))
