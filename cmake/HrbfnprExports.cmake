@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: MIT
 # hrbfnpr_limit_exports(target) makes a shared library export exactly the header's functions.
 
+if(HRBFNPR_LINK_RULE) # from a toolchain file, which CMake's own modules would overrule
+  set(CMAKE_CXX_CREATE_SHARED_LIBRARY "${HRBFNPR_LINK_RULE}")
+endif()
+
 function(hrbfnpr_limit_exports target)
   if(NOT BUILD_SHARED_LIBS)
     return()
@@ -10,7 +14,8 @@ function(hrbfnpr_limit_exports target)
   elseif(APPLE)
     set(list "${PROJECT_SOURCE_DIR}/src/hrbfnpr.exports")
     target_link_options(${target} PRIVATE "LINKER:-exported_symbols_list,${list}")
-    set_target_properties(${target} PROPERTIES LINK_DEPENDS "${list}" INSTALL_NAME_DIR "@rpath")
+    set_target_properties(${target} PROPERTIES LINK_DEPENDS "${list}" INSTALL_NAME_DIR "@rpath"
+      BUILD_WITH_INSTALL_NAME_DIR ON)
   elseif(UNIX)
     set(script "${CMAKE_CURRENT_BINARY_DIR}/hrbfnpr.map")
     configure_file("${PROJECT_SOURCE_DIR}/src/hrbfnpr.map.in" "${script}" @ONLY)

@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws small pictures and prints a hash of each: scenes [baseline].
+/* Draws small pictures and prints a hash of each: scenes [baseline [FOLDER]].
  *
  * The samples are rational functions of whole numbers, so they have the same bits on all platforms. With the word
- * "baseline" the context uses the least instruction set of its processor. Each picture is drawn by one thread and by three,
- * and the program fails if the two differ. */
+ * "baseline" the context uses the least instruction set of its processor. Three styles are also drawn by three threads, and
+ * the program fails if these pictures differ. Metadata name the compiler, so they are left out of the hashes. With FOLDER it also writes the drawings there as SVG. */
 #include <hrbfnpr.h>
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { AROUND = 24, ALONG = 12, COUNT = AROUND * ALONG, WIDTH = 240, HEIGHT = 180 };
+enum { AROUND = 24, ALONG = 12, COUNT = AROUND * ALONG, WIDTH = 240, HEIGHT = 180, MOST_PIXELS = 512 * 512 };
 
 static double points[COUNT][3], normals[COUNT][3];
-static unsigned char pixels[2][HEIGHT][WIDTH][4];
+static unsigned char pixels[2][MOST_PIXELS][4];
+static size_t pixels_size;
 static char text[2][1 << 22];
 static size_t text_size[2];
 static hrbfnpr_error error;
@@ -69,10 +70,20 @@ static hrbfnpr_context* make_context(int threads, int baseline) {
 
 static int32_t append(void* which, const void* data, uint64_t size) {
     const int i = *(const int*)which;
-    if (text_size[i] + size > sizeof text[i]) return 1;
+    if (text_size[i] + size >= sizeof text[i]) return 1;
     memcpy(text[i] + text_size[i], data, (size_t)size);
     text_size[i] += (size_t)size;
     return 0;
+}
+
+static void leave_out_metadata(int which) {
+    static const char begin[] = "<metadata>", end[] = "</metadata>";
+    text[which][text_size[which]] = '\0';
+    char* const from = strstr(text[which], begin);
+    char* const to = from != NULL ? strstr(from, end) : NULL;
+    if (to == NULL) exit(1);
+    text_size[which] -= (size_t)(to - from);
+    memmove(from, to, text_size[which] - (size_t)(from - text[which]));
 }
 
 static void draw(hrbfnpr_context* context, uint32_t preset, int which) {
@@ -97,12 +108,14 @@ static void draw(hrbfnpr_context* context, uint32_t preset, int which) {
     check(hrbfnpr_picture_draw(picture, NULL, NULL, &drawing, &error), "drawing");
     check(hrbfnpr_image_init(&image, sizeof image), "image");
     image.format = HRBFNPR_FORMAT_RGBA8;
-    image.width = WIDTH;
-    image.height = HEIGHT;
+    check(hrbfnpr_picture_plate_size(picture, NULL, &image.width, &image.height, &error), "plate");
+    pixels_size = (size_t)image.width * (size_t)image.height * 4;
+    if (pixels_size > sizeof pixels[0]) exit(1);
     image.pixels = pixels[which];
     check(hrbfnpr_picture_rasterize(picture, drawing, NULL, &image, &error), "pixels");
     text_size[which] = 0;
     check(hrbfnpr_picture_write(picture, drawing, NULL, NULL, append, &which, NULL, NULL, &error), "svg");
+    leave_out_metadata(which);
     hrbfnpr_drawing_release(drawing);
     hrbfnpr_picture_release(picture);
 }
@@ -130,24 +143,35 @@ static void print_messages(hrbfnpr_context* context) {
     printf("message %s\n", error.message);
 }
 
+static void write_svg(const char* folder, const char* name) {
+    char path[1024];
+    snprintf(path, sizeof path, "%s/%s.svg", folder, name);
+    FILE* const file = fopen(path, "wb");
+    if (file == NULL || fwrite(text[0], text_size[0], 1, file) != 1 || fclose(file) != 0) exit(1);
+}
+
 int main(int argc, char** argv) {
     static const char* const names[] = {
         "stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple", "x-ray", "full", "engraving",
         "etching", "woodcut", "scientific-stipple", "sketch", "blueprint", "archaeological"};
-    const int baseline = argc == 2 && strcmp(argv[1], "baseline") == 0;
+    const int baseline = argc >= 2 && strcmp(argv[1], "baseline") == 0;
     hrbfnpr_context* contexts[2];
     check(hrbfnpr_error_init(&error, sizeof error), "error");
     make_torus();
     for (int i = 0; i < 2; ++i) contexts[i] = make_context(i == 0 ? 1 : 3, baseline);
     print_messages(contexts[0]);
     for (uint32_t preset = 0; preset < sizeof names / sizeof names[0]; ++preset) {
-        for (int i = 0; i < 2; ++i) draw(contexts[i], preset, i);
-        if (memcmp(pixels[0], pixels[1], sizeof pixels[0]) != 0 || text_size[0] != text_size[1] ||
-            memcmp(text[0], text[1], text_size[0]) != 0) {
+        const int by_threads = preset == HRBFNPR_PRESET_STIPPLE || preset == HRBFNPR_PRESET_FULL ||
+                               preset == HRBFNPR_PRESET_ENGRAVING;
+        draw(contexts[0], preset, 0);
+        if (by_threads) draw(contexts[1], preset, 1);
+        if (by_threads && (memcmp(pixels[0], pixels[1], pixels_size) != 0 || text_size[0] != text_size[1] ||
+                           memcmp(text[0], text[1], text_size[0]) != 0)) {
             fprintf(stderr, "%s: one thread and three threads draw different pictures\n", names[preset]);
             return 1;
         }
-        printf("%s pixels %08x svg %08x\n", names[preset], hash(pixels[0], sizeof pixels[0]), hash(text[0], text_size[0]));
+        if (argc == 3) write_svg(argv[2], names[preset]);
+        printf("%s pixels %08x svg %08x\n", names[preset], hash(pixels[0], pixels_size), hash(text[0], text_size[0]));
         fflush(stdout);
     }
     for (int i = 0; i < 2; ++i) hrbfnpr_context_release(contexts[i]);
