@@ -37,6 +37,9 @@ package_set() {
     npm) echo npm ;;
     wasm) echo emscripten ;;
     browser) echo chromium node-typescript ;;
+    release) echo g++-mingw-w64-x86-64-posix binutils-aarch64-linux-gnu lld-14 llvm-14 dpkg-dev python3-setuptools \
+      python3-wheel python3-pip ;;
+    release_test) echo wine wine64 g++-aarch64-linux-gnu qemu-user-static debootstrap lintian ;;
     lint) echo clang-format-14 clang-tidy-14 libomp-14-dev nodejs python3-yaml shellcheck ;;
     *) die "there is no package set '$1'" ;;
   esac
