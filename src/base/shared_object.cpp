@@ -14,8 +14,8 @@ namespace hrbfnpr::base {
 
 #if defined(_WIN32)
 
-// The last handle to a DLL cannot be released by code of that DLL, because the code would be gone when the call returns. So
-// the DLL stays in memory until the process ends.
+// The last handle to a DLL cannot be released by code of that DLL, because the code would be gone when the call
+// returns. So the DLL stays in memory until the process ends.
 void* hold_shared_object(const void* address) noexcept {
     keep_shared_object(address);
     return nullptr;

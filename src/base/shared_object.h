@@ -5,7 +5,8 @@
 namespace hrbfnpr::base {
 
 // Keeps the shared object that contains `address` loaded until release_shared_object(), even if the host unloads it. On
-// Windows it then stays loaded until the process ends. Returns NULL if no shared object contains it, or if the system cannot do this.
+// Windows it then stays loaded until the process ends. Returns NULL if no shared object contains it, or if the system
+// cannot do this.
 [[nodiscard]] void* hold_shared_object(const void* address) noexcept;
 void release_shared_object(void* held) noexcept; // does nothing for NULL
 

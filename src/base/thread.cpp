@@ -82,7 +82,8 @@ bool Thread::start(const char* name, Work work, void* user) noexcept {
     user_ = user;
     std::copy_n(name, std::min(std::strlen(name), sizeof name_ - 1), name_);
     const auto size = static_cast<unsigned>(stack_size);
-    const std::uintptr_t started = _beginthreadex(nullptr, size, main, this, STACK_SIZE_PARAM_IS_A_RESERVATION, nullptr);
+    const std::uintptr_t started =
+        _beginthreadex(nullptr, size, main, this, STACK_SIZE_PARAM_IS_A_RESERVATION, nullptr);
     handle_ = reinterpret_cast<void*>(started);
     return started != 0;
 }

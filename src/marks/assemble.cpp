@@ -214,8 +214,8 @@ public:
     LayerReader(const LayerArrays& arrays, std::int64_t place) noexcept : arrays_(arrays), place_(place) {}
 
     // Fails with the message "point_set_desc.layers[1].rank[3] is REASON"; `format` and its arguments give REASON.
-    HRBFNPR_PRINTF_LIKE(4, 5) [[noreturn]] void refuse(const char* name, std::int64_t i, const char* format,
-                                                           ...) const {
+    HRBFNPR_PRINTF_LIKE(4, 5)
+    [[noreturn]] void refuse(const char* name, std::int64_t i, const char* format, ...) const {
         char why[160];
         std::va_list arguments;
         va_start(arguments, format);

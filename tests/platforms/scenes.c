@@ -2,8 +2,9 @@
 /* Draws small pictures and prints a hash of each: scenes [baseline [FOLDER]].
  *
  * The samples are rational functions of whole numbers, so they have the same bits on all platforms. With the word
- * "baseline" the context uses the least instruction set of its processor. Three styles are also drawn by three threads, and
- * the program fails if these pictures differ. Metadata name the compiler, so they are left out of the hashes. With FOLDER it also writes the drawings there as SVG. */
+ * "baseline" the context uses the least instruction set of its processor. Three styles are also drawn by three threads,
+ * and the program fails if these pictures differ. Metadata name the compiler, so they are left out of the hashes. With
+ * FOLDER it also writes the drawings there as SVG. */
 #include <hrbfnpr.h>
 
 #include <stdio.h>
@@ -152,8 +153,9 @@ static void write_svg(const char* folder, const char* name) {
 
 int main(int argc, char** argv) {
     static const char* const names[] = {
-        "stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple", "x-ray", "full", "engraving",
-        "etching", "woodcut", "scientific-stipple", "sketch", "blueprint", "archaeological"};
+        "stipple", "hatch",     "cross-hatch",   "combing", "silhouette", "contour-and-stipple",
+        "x-ray",   "full",      "engraving",     "etching", "woodcut",    "scientific-stipple",
+        "sketch",  "blueprint", "archaeological"};
     const int baseline = argc >= 2 && strcmp(argv[1], "baseline") == 0;
     hrbfnpr_context* contexts[2];
     check(hrbfnpr_error_init(&error, sizeof error), "error");
@@ -161,8 +163,8 @@ int main(int argc, char** argv) {
     for (int i = 0; i < 2; ++i) contexts[i] = make_context(i == 0 ? 1 : 3, baseline);
     print_messages(contexts[0]);
     for (uint32_t preset = 0; preset < sizeof names / sizeof names[0]; ++preset) {
-        const int by_threads = preset == HRBFNPR_PRESET_STIPPLE || preset == HRBFNPR_PRESET_FULL ||
-                               preset == HRBFNPR_PRESET_ENGRAVING;
+        const int by_threads =
+            preset == HRBFNPR_PRESET_STIPPLE || preset == HRBFNPR_PRESET_FULL || preset == HRBFNPR_PRESET_ENGRAVING;
         draw(contexts[0], preset, 0);
         if (by_threads) draw(contexts[1], preset, 1);
         if (by_threads && (memcmp(pixels[0], pixels[1], pixels_size) != 0 || text_size[0] != text_size[1] ||

@@ -89,7 +89,8 @@
 //!   of the host.  After fork() the child may go on with the parent's contexts,
 //!   which start new threads in it, but the fork must not happen inside a call
 //!   (in a callback).  If the library is unloaded while a context has threads, it
-//!   stays in memory.  Callbacks run only on the thread that called the library,
+//!   stays in memory; on Windows until the process ends.  Callbacks run only on the thread
+//! that called the library,
 //!   unless they are flagged thread-safe.  No call changes the caller's
 //!   floating-point state, locale or OpenMP settings.
 //!
