@@ -20,16 +20,52 @@ C_PROGRAM = ROOT / "tests" / "clients" / "reference.c"
 CSHARP_PROJECT = ROOT / "tests" / "clients" / "csharp" / "Scene.csproj"
 WIDTH, HEIGHT = 640, 480
 
-# The scene by the Python package without NumPy.
+# The scene by the Python package.
 PYTHON_PROGRAM = """
 import sys
-import hrbfnpr
+import numpy, hrbfnpr
+
+samples = numpy.loadtxt(sys.argv[1])
+picture = hrbfnpr.draw((samples[:, :3], samples[:, 3:]), direction=(0, 1, -1), up=(0, 0, 1), size=(640, 480))
+picture.image.tofile(sys.argv[2])
+"""
+
+# The scene by the Python package without NumPy: hrbfnpr.draw needs it, so this program calls the C functions.
+PLAIN_PYTHON_PROGRAM = """
+import sys
+from hrbfnpr._library import ffi, lib
+
+WIDTH, HEIGHT = 640, 480
+error = ffi.new("hrbfnpr_error *", {"struct_size": ffi.sizeof("hrbfnpr_error")})
+
+
+def new(name):
+    struct = ffi.new(f"hrbfnpr_{name} *")
+    assert getattr(lib, f"hrbfnpr_{name}_init")(struct, ffi.sizeof(struct[0])) == 0
+    return struct
+
+
+def made(call, kind, *arguments):
+    out = ffi.new(f"hrbfnpr_{kind} **")
+    assert call(*arguments, out, error) == 0, ffi.string(error.message)
+    return out[0]
+
 
 samples = [[float(word) for word in line.split()] for line in open(sys.argv[1])]
-points, normals = [sample[:3] for sample in samples], [sample[3:] for sample in samples]
-picture = hrbfnpr.draw((points, normals), direction=(0, 1, -1), up=(0, 0, 1), size=(640, 480))
+parts = [ffi.new("double[]", [x for sample in samples for x in sample[i:i + 3]]) for i in (0, 3)]
+source, desc, image = new("picture_source"), new("picture_desc"), new("image")
+for array, numbers in zip((source.points, source.normals), parts):
+    array.data, array.count, array.scalar, array.components = numbers, len(samples), lib.HRBFNPR_SCALAR_FLOAT64, 3
+desc.sources, desc.source_count, desc.width, desc.height = source, 1, WIDTH, HEIGHT
+desc.direction, desc.up = (0, 1, -1), (0, 0, 1)
+pixels = ffi.new("unsigned char[]", 4 * WIDTH * HEIGHT)
+image.width, image.height, image.pixels = WIDTH, HEIGHT, pixels
+context = made(lib.hrbfnpr_context_create, "context", ffi.NULL)
+picture = made(lib.hrbfnpr_picture_create, "picture", context, desc, ffi.NULL)
+drawing = made(lib.hrbfnpr_picture_draw, "drawing", picture, ffi.NULL, ffi.NULL)
+assert lib.hrbfnpr_picture_rasterize(picture, drawing, ffi.NULL, image, error) == 0, ffi.string(error.message)
 with open(sys.argv[2], "wb") as file:
-    file.write(picture.image)
+    file.write(ffi.buffer(pixels))
 """
 
 # `hrbfnpr draw SAMPLES PICTURE` draws the scene with these options. PICTURE ends with .png.
