@@ -59,17 +59,18 @@ def shorten(text: str, most: int = 100) -> str:
     return lines[-1][:most] if lines else "no message"
 
 
-def execute(*command: PathLike) -> str:
-    """Run a command and return what it prints.  Raises Failed with the end of it."""
+def execute(*command: PathLike, title: str = "") -> str:
+    """Run a command and return what it prints.  Raises Failed with the title of the command and the end of that."""
     words = [str(word) for word in command]
+    title = title or shlex.join(words)
     try:
         result = subprocess.run(words, text=True, errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                 stderr=subprocess.STDOUT, timeout=PATIENCE)
     except subprocess.TimeoutExpired:
-        raise Failed(f"{shlex.join(words)} still ran after {PATIENCE} seconds") from None
+        raise Failed(f"{title} still ran after {PATIENCE} seconds") from None
     if result.returncode != 0:
         end = "\n".join(result.stdout.splitlines()[-30:])
-        raise Failed(f"{shlex.join(words)} ended with {result.returncode}:\n{end}")
+        raise Failed(f"{title} ended with {result.returncode}:\n{end}")
     return result.stdout
 
 
@@ -122,9 +123,9 @@ class System:
         print(f"{self.name}# {shlex.join(command)}", flush=True)
         values = {**INSIDE, **{name: os.environ[name] for name in PASSED if name in os.environ}, **environment}
         return execute(
-            *NAMESPACES, "sh", "-c", ENTER, "enter", self.lower, self.work / "changes", self.work / "scratch", self.merged,
+            *(("taskset", "-c", "0") if self.emulator else ()), *NAMESPACES, "sh", "-c", ENTER, "enter", self.lower, self.work / "changes", self.work / "scratch", self.merged,
             self.exchange, *self.emulator, "/usr/bin/env", "-i", "--chdir=/trial",
-            *(f"{name}={value}" for name, value in values.items()), *self.emulator, *command)
+            *(f"{name}={value}" for name, value in values.items()), *self.emulator, *command, title=shlex.join(command))
 
     def install(self, *packages: str) -> None:
         """Install Debian packages, or files of them in /trial."""

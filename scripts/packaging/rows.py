@@ -2,10 +2,12 @@
 """The rows that the try_*.py modules return, and the table that they form."""
 from __future__ import annotations
 
+import os
 from collections import Counter
 from dataclasses import astuple, dataclass, replace
 from typing import Iterable, List, Sequence, Set
 
+LONG = "HRBFNPR_LONG_TRIALS"  # set in the environment if trials may compile the library
 COLUMNS = ("package", "where", "result", "picture")
 
 
@@ -74,3 +76,7 @@ def report(rows: Sequence[Row]) -> str:
 def status(rows: Sequence[Row]) -> int:
     """Return 1 if a row failed or two pictures differ, or else 0."""
     return int(any(row.failed for row in judged(rows)))
+
+
+def long_trials() -> bool:
+    return bool(os.environ.get(LONG))

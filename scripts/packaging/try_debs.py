@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: MIT
+"""Installs the Debian packages on bare systems, draws with each of them, and removes them."""
+from __future__ import annotations
+
+import shlex
+from pathlib import Path
+from typing import List
+
+import roots
+import scene
+from common import ROOT, Release
+from roots import Failed, System, attempt_row
+from rows import Row
+from try_wheels import by_all_means, by_program, expect, found, require
+
+TRIPLET = "aarch64-linux-gnu"
+EXAMPLE = ROOT / "examples" / "quickstart.c"
+
+
+def attempt(release: Release) -> List[Row]:
+    rows = [row for suite in roots.SUITES for row in on_bare_system(release.dist, suite)]
+    library, python = found(release.dist, "libhrbfnpr[0-9]*_arm64.deb"), found(release.dist, "python3-hrbfnpr_*.deb")
+    rows.append(attempt_row(library.name, "bookworm arm64, qemu, unpacked", lambda: arm64(library, python)))
+    compiled = found(release.dist, "libhrbfnpr-dev_*_arm64.deb")
+    rows.append(Row(compiled.name, "", "not run: no arm64 compiler under qemu"))
+    return rows
+
+
+def on_bare_system(dist: Path, suite: str) -> List[Row]:
+    """Return a row for each package: it is used without the packages that do not depend on it."""
+    library, headers = found(dist, "libhrbfnpr[0-9]*_amd64.deb"), found(dist, "libhrbfnpr-dev_*_amd64.deb")
+    python = found(dist, "python3-hrbfnpr_*.deb")
+    reason = roots.refusal() or ("" if all(p.is_file() for p in (library, headers, python)) else "not all were made")
+    if reason:
+        return [Row(package.name, suite, f"skipped: {reason}") for package in (library, headers, python)]
+    with roots.fresh(suite) as system:
+        return [attempt_row(headers.name, f"{suite}, gcc", lambda: compiled(system, library, headers)),
+                attempt_row(library.name, f"{suite}, compiled program", lambda: by_compiled(system)),
+                attempt_row(python.name, f"{suite}, python3", lambda: by_python(system, python))]
+
+
+def compiled(system: System, library: Path, headers: Path) -> str:
+    """Install the packages for compiling, and draw with programs that pkg-config finds the library for."""
+    system.install(*system.put(library, headers), *roots.COMPILER)
+    for source, program in ((EXAMPLE, "quickstart"), (scene.C_PROGRAM, "scene")):
+        name = shlex.quote(*system.put(source))
+        system.run("sh", "-c", f"cc -O1 {name} -o {program} $(pkg-config --cflags --libs hrbfnpr) -lm")
+    system.run("./quickstart")
+    expect(system, "torus.svg")
+    return by_scene(system)
+
+
+def by_scene(system: System) -> str:
+    picture = system.exchange / "scene.rgba"
+    picture.unlink(missing_ok=True)
+    system.run("./scene", *system.put(scene.SAMPLES), picture.name)
+    return scene.picture_hash(picture)
+
+
+def by_compiled(system: System) -> str:
+    """Draw with the compiled program after the package for compiling is removed."""
+    system.run("apt-get", "-q", "-y", "purge", "libhrbfnpr-dev")
+    return by_scene(system)
+
+
+def by_python(system: System, python: Path) -> str:
+    """Draw with the Python package and its command, and remove all packages."""
+    system.install(*system.put(python))
+    picture = by_all_means(system, "python3")
+    system.run("hrbfnpr", "draw", *system.put(scene.SAMPLES), "hrbfnpr.png", *scene.COMMAND_OPTIONS)
+    if scene.picture_hash(system.exchange / "hrbfnpr.png") != picture:
+        raise Failed("the command hrbfnpr draws another picture than the module")
+    system.run("python3", "-c", "import hrbfnpr; hrbfnpr.draw", PYTHONDONTWRITEBYTECODE="")  # as root would, with caches
+    remove_all(system)
+    return picture
+
+
+def remove_all(system: System) -> None:
+    """Remove and purge all packages.  Raises Failed if a file with the name of the library stays."""
+    names = system.run("dpkg-query", "-W", "-f", "${Package}\n", "*hrbfnpr*").split()
+    system.run("apt-get", "-q", "-y", "remove", *names)
+    system.run("dpkg", "--purge", *names)
+    left = system.run("find", "/", "-xdev", "-path", "/trial", "-prune", "-o", "-name", "*hrbfnpr*", "-print").split()
+    if left:
+        raise Failed(f"purge leaves {', '.join(left)}")
+
+
+def arm64(library: Path, python: Path) -> str:
+    """Draw with the unpacked packages of the library and of Python.
+
+    dpkg would start programs of arm64, and qemu runs only the first one.
+    """
+    require(library)
+    require(python)
+    with roots.fresh_arm64() as system:
+        for package in (library, python):
+            roots.execute("dpkg-deb", "-x", package, system.exchange)
+        return by_program(system, "python3", scene.PLAIN_PYTHON_PROGRAM, PYTHONPATH="/trial/usr/lib/python3/dist-packages",
+                          LD_LIBRARY_PATH=f"/trial/usr/lib/{TRIPLET}")
