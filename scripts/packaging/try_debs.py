@@ -11,7 +11,7 @@ import scene
 from common import ROOT, Release
 from roots import Failed, System, attempt_row
 from rows import Row
-from try_wheels import by_all_means, by_program, expect, found, require
+from try_wheels import PYTHON, by_all_means, by_program, expect, found, require
 
 TRIPLET = "aarch64-linux-gnu"
 EXAMPLE = ROOT / "examples" / "quickstart.c"
@@ -95,5 +95,5 @@ def arm64(library: Path, python: Path) -> str:
     with roots.fresh_arm64() as system:
         for package in (library, python):
             roots.execute("dpkg-deb", "-x", package, system.exchange)
-        return by_program(system, "python3", scene.PLAIN_PYTHON_PROGRAM, PYTHONPATH="/trial/usr/lib/python3/dist-packages",
+        return by_program(system, PYTHON, scene.PLAIN_PYTHON_PROGRAM, PYTHONPATH="/trial/usr/lib/python3/dist-packages",
                           LD_LIBRARY_PATH=f"/trial/usr/lib/{TRIPLET}")

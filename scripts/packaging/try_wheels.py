@@ -17,6 +17,7 @@ from rows import Row, long_trials
 BUILD = ("g++", "cmake", "ninja-build", "libeigen3-dev", "libglm-dev", "libhwy-dev", "nlohmann-json3-dev",
          "python3-setuptools", "python3-wheel")
 MINGW = "x86_64-w64-mingw32-gcc-posix"
+PYTHON = "/usr/bin/python3"  # qemu needs the whole path
 VENV = "/trial/venv/bin/python3"
 
 
@@ -104,9 +105,9 @@ def arm64(wheel: Path) -> str:
     require(wheel)
     with roots.fresh_arm64() as system:
         (pip,) = (Path(system.lower) / "usr/share/python-wheels").glob("pip-*.whl")
-        system.run("python3", f"/usr/share/python-wheels/{pip.name}/pip", "install", "--no-index", "--target=/trial/site",
-                   *system.put(wheel))
-        return by_program(system, "python3", scene.PLAIN_PYTHON_PROGRAM, PYTHONPATH="/trial/site")
+        system.run(PYTHON, f"/usr/share/python-wheels/{pip.name}/pip", "install", "--no-index", "--no-compile",
+                   "--break-system-packages", *system.put(wheel))
+        return by_program(system, PYTHON, scene.PLAIN_PYTHON_PROGRAM)
 
 
 def windows(release: Release, wheel: Path) -> str:
