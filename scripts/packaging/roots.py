@@ -18,7 +18,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Callable, Iterator, List, Tuple
+from typing import Callable, Iterator, List, Sequence, Tuple
 
 from common import ROOT, PathLike
 from rows import Row
@@ -51,6 +51,33 @@ def attempt_row(package: str, where: str, draw: Callable[[], str]) -> Row:
     except (Failed, OSError, ValueError, SystemExit) as failure:
         print(failure, file=sys.stderr, flush=True)
         return Row(package, where, f"failed: {shorten(str(failure))}")
+
+
+def rows_on(suite: str, packages: Sequence[Path], rows: Callable[[System], List[Row]]) -> List[Row]:
+    """Return the rows of trials on a bare system.  If there is no system, they are one row for each package."""
+    print(f"\n==> {suite}: {', '.join(package.name for package in packages)}", flush=True)
+    try:
+        for package in packages:
+            require(package)
+        with fresh(suite) as system:
+            return rows(system)
+    except NotRun as reason:
+        result = f"skipped: {reason}"
+    except Failed as failure:
+        print(failure, file=sys.stderr, flush=True)
+        result = f"failed: {shorten(str(failure))}"
+    return [Row(package.name, suite, result) for package in packages]
+
+
+def found(dist: Path, pattern: str) -> Path:
+    """Return the one file with this pattern, or the pattern in place of its name if it was not made."""
+    paths = sorted(dist.glob(pattern))
+    return paths[0] if paths else dist / pattern
+
+
+def require(package: Path) -> None:
+    if not package.is_file():
+        raise NotRun(f"{package.name} was not made")
 
 
 def shorten(text: str, most: int = 100) -> str:

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import shlex
+import shutil
+from contextlib import contextmanager
 from pathlib import Path
-from typing import List
+from typing import Iterator, List
 
 import roots
 import scene
 from common import ROOT, Release
-from roots import Failed, System, attempt_row
+from roots import Failed, System, attempt_row, found, require
 from rows import Row
-from try_wheels import PYTHON, by_all_means, by_program, expect, found, require
+from try_wheels import PYTHON, by_all_means, by_program, expect
 
 TRIPLET = "aarch64-linux-gnu"
 EXAMPLE = ROOT / "examples" / "quickstart.c"
@@ -20,23 +22,19 @@ EXAMPLE = ROOT / "examples" / "quickstart.c"
 def attempt(release: Release) -> List[Row]:
     rows = [row for suite in roots.SUITES for row in on_bare_system(release.dist, suite)]
     library, python = found(release.dist, "libhrbfnpr[0-9]*_arm64.deb"), found(release.dist, "python3-hrbfnpr_*.deb")
-    rows.append(attempt_row(library.name, "bookworm arm64, qemu, unpacked", lambda: arm64(library, python)))
-    compiled = found(release.dist, "libhrbfnpr-dev_*_arm64.deb")
-    rows.append(Row(compiled.name, "", "not run: no arm64 compiler under qemu"))
-    return rows
+    headers = found(release.dist, "libhrbfnpr-dev_*_arm64.deb")
+    return [*rows, attempt_row(library.name, "bookworm arm64, qemu, python3", lambda: arm64(library, python)),
+            attempt_row(headers.name, "bookworm arm64, qemu, cross gcc", lambda: arm64_compiled(library, headers))]
 
 
 def on_bare_system(dist: Path, suite: str) -> List[Row]:
     """Return a row for each package: it is used without the packages that do not depend on it."""
     library, headers = found(dist, "libhrbfnpr[0-9]*_amd64.deb"), found(dist, "libhrbfnpr-dev_*_amd64.deb")
     python = found(dist, "python3-hrbfnpr_*.deb")
-    reason = roots.refusal() or ("" if all(p.is_file() for p in (library, headers, python)) else "not all were made")
-    if reason:
-        return [Row(package.name, suite, f"skipped: {reason}") for package in (library, headers, python)]
-    with roots.fresh(suite) as system:
-        return [attempt_row(headers.name, f"{suite}, gcc", lambda: compiled(system, library, headers)),
-                attempt_row(library.name, f"{suite}, compiled program", lambda: by_compiled(system)),
-                attempt_row(python.name, f"{suite}, python3", lambda: by_python(system, python))]
+    return roots.rows_on(suite, [library, headers, python], lambda system: [
+        attempt_row(headers.name, f"{suite}, gcc", lambda: compiled(system, library, headers)),
+        attempt_row(library.name, f"{suite}, compiled program", lambda: by_compiled(system)),
+        attempt_row(python.name, f"{suite}, python3", lambda: by_python(system, python))])
 
 
 def compiled(system: System, library: Path, headers: Path) -> str:
@@ -50,10 +48,10 @@ def compiled(system: System, library: Path, headers: Path) -> str:
     return by_scene(system)
 
 
-def by_scene(system: System) -> str:
+def by_scene(system: System, program: str = "./scene", **environment: str) -> str:
     picture = system.exchange / "scene.rgba"
     picture.unlink(missing_ok=True)
-    system.run("./scene", *system.put(scene.SAMPLES), picture.name)
+    system.run(program, *system.put(scene.SAMPLES), picture.name, **environment)
     return scene.picture_hash(picture)
 
 
@@ -88,12 +86,30 @@ def remove_all(system: System) -> None:
 def arm64(library: Path, python: Path) -> str:
     """Draw with the unpacked packages of the library and of Python.
 
-    dpkg would start programs of arm64, and qemu runs only the first one.
+    They are not installed, because dpkg starts programs of arm64, and qemu runs only the first program.
     """
-    require(library)
-    require(python)
-    with roots.fresh_arm64() as system:
-        for package in (library, python):
-            roots.execute("dpkg-deb", "-x", package, system.exchange)
+    with unpacked(library, python) as system:
         return by_program(system, PYTHON, scene.PLAIN_PYTHON_PROGRAM, PYTHONPATH="/trial/usr/lib/python3/dist-packages",
                           LD_LIBRARY_PATH=f"/trial/usr/lib/{TRIPLET}")
+
+
+def arm64_compiled(library: Path, headers: Path) -> str:
+    """Draw with a program that a cross compiler made with the unpacked packages."""
+    compiler = f"{TRIPLET}-gcc"
+    roots.refuse("" if shutil.which(compiler) else "needs gcc-aarch64-linux-gnu")
+    with unpacked(library, headers) as system:
+        files = system.exchange / "usr"
+        roots.execute(compiler, "-O1", "-I", files / "include", scene.C_PROGRAM, "-o", system.exchange / "scene",
+                      files / "lib" / TRIPLET / "libhrbfnpr.so", "-lm")
+        return by_scene(system, "/trial/scene", LD_LIBRARY_PATH=f"/trial/usr/lib/{TRIPLET}")
+
+
+@contextmanager
+def unpacked(*packages: Path) -> Iterator[System]:
+    """Yield an arm64 system with the files of these packages in /trial."""
+    for package in packages:
+        require(package)
+    with roots.fresh_arm64() as system:
+        for package in packages:
+            roots.execute("dpkg-deb", "-x", package, system.exchange)
+        yield system

@@ -11,7 +11,7 @@ from typing import List
 import roots
 import scene
 from common import PLATFORMS, ROOT, Release
-from roots import NotRun, System, attempt_row
+from roots import System, attempt_row, found, require
 from rows import Row, long_trials
 
 BUILD = ("g++", "cmake", "ninja-build", "libeigen3-dev", "libglm-dev", "libhwy-dev", "nlohmann-json3-dev",
@@ -33,26 +33,11 @@ def attempt(release: Release) -> List[Row]:
     return [*rows, attempt_row(source.name, "bookworm, GCC", lambda: sdist(source))]
 
 
-def found(dist: Path, pattern: str) -> Path:
-    """Return the one file with this pattern, or its pattern in place of its name if it was not made."""
-    paths = sorted(dist.glob(pattern))
-    return paths[0] if paths else dist / pattern
-
-
-def require(package: Path) -> Path:
-    if not package.is_file():
-        raise NotRun("it was not made")
-    return package
-
-
 def on_bare_system(suite: str, wheel: Path) -> List[Row]:
     """Return the rows of a wheel in a new environment, first without NumPy and then with it."""
-    reason = roots.refusal() or ("" if wheel.is_file() else "it was not made")
-    if reason:
-        return [Row(wheel.name, suite, f"skipped: {reason}")]
-    with roots.fresh(suite) as system:
-        return [attempt_row(wheel.name, f"{suite}, no NumPy", lambda: without_numpy(system, wheel)),
-                attempt_row(wheel.name, f"{suite}, NumPy", lambda: with_numpy(system))]
+    return roots.rows_on(suite, [wheel], lambda system: [
+        attempt_row(wheel.name, f"{suite}, no NumPy", lambda: without_numpy(system, wheel)),
+        attempt_row(wheel.name, f"{suite}, NumPy", lambda: with_numpy(system))])
 
 
 def without_numpy(system: System, wheel: Path) -> str:
