@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/point_tree.h"
 
+#include "base/select.h"
 #include "geometry/long_vec_array.h"
 
 #include <algorithm>
@@ -36,13 +37,13 @@ void PointTree::build(IndexedPoint* places, const Range& range, const base::Prog
     if (range.leaf()) return;
     const auto halve = [&](auto of) {
         constexpr glm::length_t axis = decltype(of)::value;
-        // Ties are broken by index, so that any standard library makes the same halves.
-        std::nth_element(places + range.begin, places + range.middle(), places + range.end,
-                         [](const IndexedPoint& a, const IndexedPoint& b) {
-                             const double x = a.point[axis];
-                             const double y = b.point[axis];
-                             return x < y || (x == y && a.index < b.index);
-                         });
+        // Ties are broken by index, so that all elements are different.
+        base::select(places + range.begin, places + range.middle(), places + range.end,
+                     [](const IndexedPoint& a, const IndexedPoint& b) {
+                         const double x = a.point[axis];
+                         const double y = b.point[axis];
+                         return x < y || (x == y && a.index < b.index);
+                     });
     };
     switch (longest_axis(box)) {
     case 0: halve(std::integral_constant<glm::length_t, 0>()); break;

@@ -3,6 +3,8 @@
 // the boxes from the leaves up.
 #include "mesh/face_tree.h"
 
+#include "base/select.h"
+
 #include <utility>
 
 namespace hrbfnpr::mesh {
@@ -82,10 +84,10 @@ void FaceTree::split(const base::Array<glm::dvec3>& middle, const Range& range) 
     geometry::Bounds box;
     for (std::int64_t at = range.begin; at < range.end; ++at) box.extend(middle[face_[at]]);
     const glm::length_t axis = geometry::longest_axis(box);
-    std::nth_element(face_.begin() + range.begin, face_.begin() + range.middle(), face_.begin() + range.end,
-                     [&](std::int32_t a, std::int32_t b) {
-                         return middle[a][axis] < middle[b][axis] || (middle[a][axis] == middle[b][axis] && a < b);
-                     });
+    base::select(face_.begin() + range.begin, face_.begin() + range.middle(), face_.begin() + range.end,
+                 [&](std::int32_t a, std::int32_t b) {
+                     return middle[a][axis] < middle[b][axis] || (middle[a][axis] == middle[b][axis] && a < b);
+                 });
 }
 
 FaceTree::Nearest FaceTree::nearest(const glm::dvec3& p, double limit) const noexcept {
