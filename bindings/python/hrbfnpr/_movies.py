@@ -23,6 +23,7 @@ from ._streams import write_atomically
 _COLOURS = 64  # number of colours of a GIF
 _EXACT_COLOURS = 8  # number of these that are exact
 _LEAST_DIFFERENCE = 8  # least difference of two of them in any channel
+_NO_DITHER = 0  # the value of Image.Dither.NONE; Pillow before 9.1 has no Image.Dither
 _NUMBERED = re.compile(r"%0?\d*d")
 FORMATS = (".gif", ".png", ".apng", ".mp4")
 
@@ -147,7 +148,7 @@ def _indexed(frames: Iterable[Array]) -> Iterator[Any]:
     for frame in frames:
         picture = Image.fromarray(frame)
         palette = palette or _palette(picture)
-        yield picture.quantize(palette=palette, dither=Image.Dither.NONE)
+        yield picture.quantize(palette=palette, dither=_NO_DITHER)
 
 
 def _palette(picture: Any) -> Any:
@@ -155,7 +156,7 @@ def _palette(picture: Any) -> Any:
     from PIL import Image
 
     found = sorted(picture.getcolors(picture.width * picture.height), reverse=True)
-    row = picture.quantize(_COLOURS, dither=Image.Dither.NONE).getpalette()
+    row = picture.quantize(_COLOURS, dither=_NO_DITHER).getpalette()
     between = list(zip(*(row[i::3][:_COLOURS] for i in range(3))))
     kept: List[Any] = []
     # Pillow confuses colours that are nearly the same.

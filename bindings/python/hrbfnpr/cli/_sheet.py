@@ -125,7 +125,8 @@ def _label(text: str, height: int, width: int) -> Any:
     from PIL import Image, ImageDraw, ImageFont
 
     font = ImageFont.load_default()
-    left, top, right, bottom = font.getbbox(text)
+    # Pillow before 9.2 has getsize in place of getbbox.
+    left, top, right, bottom = font.getbbox(text) if hasattr(font, "getbbox") else (0, 0, *font.getsize(text))
     natural = Image.new("L", (right - left, bottom - top), 0)
     ImageDraw.Draw(natural).text((-left, -top), text, fill=255, font=font)
     scale = max(1, min(round(height / natural.height), width // natural.width))
