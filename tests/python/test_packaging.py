@@ -21,7 +21,8 @@ def test_a_wheel_with_the_library_inside(tmp_path):
     copy = tmp_path / "tree" / "bindings" / "python"
     shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__", "build", "*.egg-info"))
     (tmp_path / "tree" / "include").mkdir()
-    shutil.copy(ROOT / "include" / "hrbfnpr.h", tmp_path / "tree" / "include")
+    for name in ("include/hrbfnpr.h", "LICENSE", "THIRD-PARTY-NOTICES.md"):
+        shutil.copy(ROOT / name, tmp_path / "tree" / name)
     environment = {**os.environ, "HRBFNPR_LIBRARY": hrbfnpr.library_path, "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
     options = ["--no-build-isolation", "--no-deps", "--no-index", "-q", "-w", str(tmp_path)]
     run = subprocess.run(
@@ -39,6 +40,7 @@ def test_a_wheel_with_the_library_inside(tmp_path):
     assert "hrbfnpr/py.typed" in names and "hrbfnpr/cli/__init__.py" in names
     assert {"hrbfnpr/_records.json", "hrbfnpr/_records.pyi", "hrbfnpr/_options.json", "hrbfnpr/_draw_call.pyi"} <= set(names)
     assert any(name.startswith("hrbfnpr/libhrbfnpr.") for name in names)
+    assert {f"hrbfnpr-{version}.dist-info/{name}" for name in ("LICENSE", "THIRD-PARTY-NOTICES.md")} <= set(names)
     environment.update(PYTHONPATH=str(place), HRBFNPR_LIBRARY="")
     code = "import hrbfnpr; print(hrbfnpr.library_path); hrbfnpr.Model.fit([[0, 0, 0]], [[0, 0, 1]])"
     run = subprocess.run(
