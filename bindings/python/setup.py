@@ -50,10 +50,10 @@ def version() -> str:
 
 
 def refuse(what: str, package: str) -> None:
-    """End with a message that says what is missing and how to install it."""
+    """End with a message that names a missing program or library and says how to install it."""
     raise SystemExit(
         f"hrbfnpr is built from C++ sources, and {what}.\n"
-        f"On Debian and Ubuntu, {package} has it; all that the build needs is installed by:\n"
+        f"On Debian and Ubuntu it is in the package {package}. This command installs all that the build needs:\n"
         f"  apt-get install {DEBIAN}\n"
         "If it is in a folder that CMake does not search, set CMAKE_ARGS=-DCMAKE_PREFIX_PATH=FOLDER.\n"
         "If the library is built already, set HRBFNPR_LIBRARY to its path."
@@ -66,7 +66,7 @@ def check_cmake() -> None:
     told = subprocess.run(["cmake", "--version"], check=True, stdout=subprocess.PIPE, text=True).stdout
     found = re.search(r"(\d+)\.(\d+)", told)
     if found and tuple(map(int, found.groups())) < CMAKE:
-        refuse(f"CMake {found.group()} is too old: {CMAKE[0]}.{CMAKE[1]} or later is needed", "cmake of Debian 12")
+        refuse(f"CMake {found.group()} is too old: {CMAKE[0]}.{CMAKE[1]} or later is needed", "cmake, from Debian 12 on")
 
 
 def configure(build: Path) -> None:
