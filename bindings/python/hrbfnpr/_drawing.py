@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import os
 from functools import partial
-from typing import Any, BinaryIO, Callable, ClassVar, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, BinaryIO, ClassVar, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _images, _page, _pictures
 from ._arrays import Array, block_in, new_array, output, output_field
@@ -16,7 +16,7 @@ from ._library import ffi, lib
 from ._marks import MarkLayer
 from ._names import CLASSES, LINE_KINDS, PAGE_FORMATS, PRIMITIVES, name_of, number_of
 from ._numpy import np
-from ._records import DrawingInfo, DrawingLayerFields, MarkIdentity, PageInfo, get, read
+from ._records import DrawingInfo, DrawingLayerFields, MarkIdentity, PageInfo, PageItem, get, read
 from ._vertices import layout_of, vertex_array
 
 _MOST_IN_NOTEBOOK = 20_000  # largest number of dots and strokes that a notebook shows as SVG
@@ -49,7 +49,7 @@ class MarkResults(NamedTuple):
 class DrawingLayerInfo(DrawingLayerFields):
     __doc__ = DrawingLayerFields.__doc__
 
-    _lines: ClassVar[Callable[[], List[Array]]]
+    _lines: ClassVar[Any]  # a function without arguments, which each object has
 
     @property
     def polylines(self) -> List[Array]:
@@ -377,7 +377,7 @@ class Drawing(Owner):
         """
         as_page = format.lower() if format is not None else _page.format_of(target)
         if as_page in PAGE_FORMATS:
-            item = _page.PageItem(self, scale=options.pop("scale", _page.PIXEL))
+            item = PageItem(self, scale=options.pop("scale", _page.PIXEL))
             return _page.write_page(target, item, format=as_page, **options)
         if options:
             raise TypeError(f"a picture has no option {', '.join(options)}: those are of vectors, as .svg and .pdf")

@@ -132,7 +132,7 @@ def _from_struct(desc: Any) -> Layer:
         "guide": name_of(GUIDES, desc.guide), "guide_direction": tuple(desc.guide_direction),
         "guide_weight": desc.guide_weight,
     }  # fmt: skip
-    tones = {
+    tones: Dict[str, Any] = {
         field: (begin, end)
         for field, begin, end in (
             ("tone", desc.tone_begin, desc.tone_end),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, BinaryIO, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, BinaryIO, List, Optional, Sequence, Union, cast
 
 from . import _streams
 from ._callbacks import CallbackState, check
@@ -103,8 +103,9 @@ def write_page(
         If the file cannot be created.
     """
     if not isinstance(items, (list, tuple)):
-        items = [items if isinstance(items, PageItem) else PageItem(items)]
-    desc, info, error, keep = new_struct("hrbfnpr_page_desc"), new_struct("hrbfnpr_page_info"), new_error(), []
+        items = [items if isinstance(items, PageItem) else PageItem(cast("Drawing", items))]
+    desc, info, error = new_struct("hrbfnpr_page_desc"), new_struct("hrbfnpr_page_info"), new_error()
+    keep: List[Any] = []
     desc.format = number_of("format", PAGE_FORMATS, format or format_of(target) or "svg")
     desc.widths, desc.dots = number_of("widths", WIDTHS, widths), number_of("dots", DOT_SHAPES, dots)
     flags = (("IN_PLOT_ORDER", plot_order), ("SINGLE_PASS", single_pass), ("WITHOUT_PAPER", not paper))

@@ -374,7 +374,7 @@ class Settings(Owner):
         out = ffi.new("hrbfnpr_settings **")
         with open(path, "rb") as file:
             _streams._stream_call(
-                lambda user, error: lib.hrbfnpr_settings_load(context._handle, _streams._on_read, user, out, error),
+                lambda user, error: int(lib.hrbfnpr_settings_load(context._handle, _streams._on_read, user, out, error)),
                 file.read)  # fmt: skip
         super().__init__(own(out[0], lib.hrbfnpr_settings_release, context))
 

@@ -182,8 +182,8 @@ def draw_sheet(arguments: Any, options: Options, context: Context, report: Repor
             if stage.bar is not None:
                 stage.bar.update(1 / len(wanted))
         stage.says = f"{len(wanted)} drawings, each with its marks and lines"
-    sizes = [picture.size for picture in pictures]
-    text = max(8, max(map(max, sizes)) // 28)
+    sizes: List[Tuple[int, int]] = [picture.size for picture in pictures]
+    text = max(8, max(max(size) for size in sizes) // 28)
     labels = [_label(cell.label, text, max(size[0] for size in sizes)) for cell in wanted]
     with report.stage("write", "writing") as stage:
         _pictures.save(_compose(_layout(arguments, sizes, labels), pictures, labels), output, None)

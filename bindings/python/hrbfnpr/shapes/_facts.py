@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from .._records import MeshFacts, read
+from .._records import MeshFacts as MeshFacts
+from .._records import read
 from ._shape import Shape, ShapeError
 
 

@@ -213,7 +213,8 @@ class _Reader:
         moves = np.stack([self._world.get(joint, np.eye(4)) @ inverse[i] for i, joint in enumerate(skin["joints"])])
         total = np.maximum(weights.sum(axis=1, keepdims=True), 1e-12)
         blended = np.einsum("ij,ijkl->ikl", weights / total, moves[joints])
-        return np.einsum("ikl,il->ik", blended[:, :3, :3], points) + blended[:, :3, 3]
+        moved: Floats = np.einsum("ikl,il->ik", blended[:, :3, :3], points) + blended[:, :3, 3]
+        return moved
 
     def _accessor(self, number: int) -> Floats:
         """The numbers of an accessor as floats, shape (count, width)."""
@@ -232,7 +233,7 @@ class _Reader:
             kind = np.dtype(_TYPES[which["componentType"]])
             places = self._view(which["bufferView"], which.get("byteOffset", 0), kind, 1, sparse["count"])[:, 0]
             values[places] = self._view(new["bufferView"], new.get("byteOffset", 0), dtype, width, sparse["count"])
-        result = values.astype(np.float64)
+        result: Floats = values.astype(np.float64)
         if accessor.get("normalized") and dtype.kind in "iu":
             result = np.maximum(result / np.iinfo(dtype).max, -1.0)
         return result
@@ -250,7 +251,7 @@ class _Reader:
             return np.zeros((0, width), dtype)
         if min(start, count, stride) < 0 or start + stride * (count - 1) + size > len(data):
             raise ShapeError(f"the glTF file is cut short: part {number} ends after the last of {len(data)} bytes")
-        rows = np.ndarray((count, size), np.uint8, data, start, (stride, 1))
+        rows: Any = np.ndarray((count, size), np.uint8, data, start, (stride, 1))
         return np.ascontiguousarray(rows).view(dtype)
 
     def _unpacked(self, number: int, packed: Dict[str, Any]) -> bytes:

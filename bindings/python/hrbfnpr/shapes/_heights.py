@@ -157,7 +157,8 @@ def _raster(path: Path, form: str) -> Shape:
             raise ShapeError(f"rasterio cannot read it: {error}") from None
     if step > 1:
         notes.append(f"its {size[0]} x {size[1]} heights are reduced to {shape[1]} x {shape[0]}")
-    heights = np.ma.filled(band.astype(np.float64), np.nan)
+    filled: Any = np.ma.filled  # NumPy gives it no types
+    heights = filled(band.astype(np.float64), np.nan)
     if degrees:
         cell = _in_metres(cell, bounds.left, bounds.bottom, shape[0], notes)
         return mesh(heights, cell, f"height map, {form}", notes)

@@ -91,7 +91,7 @@ def _filtered(elements: Any, name: str) -> bytes:
     if name == "EXPONENTIAL":  # 24 bits of mantissa and 8 bits of exponent
         words = np.ascontiguousarray(elements).view("<i4")
         return np.ldexp(((words << 8) >> 8).astype(np.float64), words >> 24).astype("<f4").tobytes()
-    return elements.tobytes()  # the filters of normals and rotations are not needed
+    return bytes(elements.tobytes())  # the filters of normals and rotations are not needed
 
 
 # --- indices -----------------------------------------------------------------------------------

@@ -44,8 +44,8 @@ def read_pcd(data: bytes) -> Shape:
     up = _up_of_picture(shape.points, head)
     if up is None:
         return shape
-    rows, columns = int(head["HEIGHT"][0]), int(head["WIDTH"][0])
-    return replace(shape, up=up, is_picture=True, image_shape=(rows, columns), viewpoint=(0.0, 0.0, 0.0))
+    height, width = int(head["HEIGHT"][0]), int(head["WIDTH"][0])
+    return replace(shape, up=up, is_picture=True, image_shape=(height, width), viewpoint=(0.0, 0.0, 0.0))
 
 
 def _viewpoint(words: List[str]) -> Optional[Vector]:

@@ -22,7 +22,8 @@ def fans(polygons: Iterable[Sequence[int]], points: Optional[Floats] = None) -> 
     for some in by_size.values():
         for number, triangles in zip(some, fans_of_block([given[number] for number in some], points)):
             made[number] = triangles
-    return np.concatenate(made).astype(np.int64) if made else np.empty((0, 3), dtype=np.int64)
+    joined: Integers = np.concatenate(made).astype(np.int64) if made else np.empty((0, 3), dtype=np.int64)
+    return joined
 
 
 def fans_of_block(corners: Any, points: Optional[Floats] = None) -> Integers:
@@ -68,7 +69,8 @@ def _not_covered(corners: Integers, points: Floats) -> Integers:
     whole = fan.sum(axis=1)
     along = np.einsum("nij,nj->ni", fan, whole)
     with np.errstate(invalid="ignore"):
-        return usable[(along < -TURNED * np.einsum("nj,nj->n", whole, whole)[:, None]).any(axis=1)]
+        other_way: Integers = usable[(along < -TURNED * np.einsum("nj,nj->n", whole, whole)[:, None]).any(axis=1)]
+    return other_way
 
 
 def _ears(place: Floats) -> Optional[Integers]:

@@ -7,7 +7,7 @@ from typing import List, Tuple
 import numpy as np
 
 from ._scans import UP
-from ._shape import Floats, Shape, ShapeError, Vector
+from ._shape import Floats, Integers, Shape, ShapeError, Vector
 from ._table import Rows, at, numbers, plain
 
 # The numbers on each line of a header: columns and rows of the grid; the scanner's place and its axes, which the matrix
@@ -49,7 +49,7 @@ def read_ptx(data: bytes) -> Shape:
     return Shape(places, None, None, "PTX", ("x", "y", "z"), UP, tuple(notes), viewpoint)
 
 
-def _header(rows: Rows, starts: Floats, line: int) -> Tuple[int, int, Floats]:
+def _header(rows: Rows, starts: Integers, line: int) -> Tuple[int, int, Floats]:
     """The columns, the rows and the matrix of the scan that begins at a line of numbers."""
     counts = rows.counts[line : line + len(_HEADER)]
     if len(counts) < len(_HEADER):
@@ -72,7 +72,7 @@ def _header(rows: Rows, starts: Floats, line: int) -> Tuple[int, int, Floats]:
     return sides[0], sides[1], matrix
 
 
-def _grid(rows: Rows, starts: Floats, line: int, count: int) -> Floats:
+def _grid(rows: Rows, starts: Integers, line: int, count: int) -> Floats:
     """The places of a grid's points.  Their lines may continue with intensities and colours."""
     there = len(rows.counts) - line
     if there < count:

@@ -193,7 +193,7 @@ def _read(path: Path) -> Shape:
 
 def _empty(expected: Optional[str], size: int) -> str:
     holds = "the file is empty" if size == 0 else "the file holds only blanks"
-    if expected in (None, "text"):
+    if expected is None or expected == "text":
         return f"there are no points: {holds}"
     return f"not {'an' if expected[0] in 'OELS' else 'a'} {expected} file: {holds}"
 

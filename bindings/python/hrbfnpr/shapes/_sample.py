@@ -22,7 +22,8 @@ def farthest_points(points: Floats, count: int, report: Optional[Report] = None)
     count = min(count, len(points))
     if count == 0:
         return np.empty(0, dtype=np.int64)
-    return hrbfnpr.farthest_points(points, count, progress=report)[0]
+    numbers: Integers = hrbfnpr.farthest_points(points, count, progress=report)[0]
+    return numbers
 
 
 def samples(

@@ -61,7 +61,8 @@ class _Sides:
         self.one, self.other = self.one[edges], self.other[edges]
 
     def _name(self, begin: Integers, end: Integers) -> Integers:
-        return np.minimum(begin, end) * (int(self._vertex.max()) + 1) + np.maximum(begin, end)
+        name: Integers = np.minimum(begin, end) * (int(self._vertex.max()) + 1) + np.maximum(begin, end)
+        return name
 
 
 def _unit(vectors: Floats) -> Floats:

@@ -22,7 +22,7 @@ class _Head(NamedTuple):
 
     columns: Optional[Columns]
     sure: bool  # whether the names are on a line of headings, not in a comment
-    count: Optional[int]
+    points: Optional[int]  # the number of points that the file announces
     at: int  # where the numbers begin, in bytes
     line: int  # number of the line on which they begin
     first: bytes  # that line
@@ -49,11 +49,11 @@ def read_xyz(data: bytes, normals_expected: bool = False) -> Shape:
         table, names = _split(body, head.line, separator, names)
     else:
         rows, head = _joined_blocks(numbers(body.translate(_TO_SPACES), head.line, _HINT), head)
-        twice = _points_then_normals(rows, head.count)
+        twice = _points_then_normals(rows, head.points)
         if twice is not None:
             return twice
         table, names = _even(rows), None
-    _check_count(head.count, len(table), table.shape[1])
+    _check_count(head.points, len(table), table.shape[1])
     columns = Columns(names) if names else by_content(table, normals_expected)
     if table.shape[1] < 3:
         raise at(head.line, 0, f"{_HINT}; this line holds {table.shape[1]} numbers")
@@ -164,16 +164,16 @@ def _split(body: bytes, first_line: int, separator: bytes, names: Optional[Tuple
 
 def _joined_blocks(rows: Rows, head: _Head) -> Tuple[Rows, _Head]:
     """One table from scans that follow each other, each after its count; the head gets the count of all."""
-    if head.count is None or len(rows.counts) == 0 or int(rows.counts[0]) == 1:
+    if head.points is None or len(rows.counts) == 0 or int(rows.counts[0]) == 1:
         return rows, head
     alone = rows.counts == 1
     announced = rows.values[rows.starts[alone]]
-    if not alone.any() or head.count + announced.sum() != (~alone).sum():
+    if not alone.any() or head.points + announced.sum() != (~alone).sum():
         return rows, head
     keep = np.ones(len(rows.values), dtype=bool)
     keep[rows.starts[alone]] = False
     rest = Rows(rows.values[keep], rows.counts[~alone], rows.lines[~alone])
-    return rest, head._replace(count=len(rest.counts))
+    return rest, head._replace(points=len(rest.counts))
 
 
 def _even(rows: Rows) -> Floats:
