@@ -80,7 +80,7 @@ class Wheels(unittest.TestCase):
 
     def test_the_source_package_has_the_sources(self):
         top = unpack(self.packages[-1], self.folder / "sources")
-        for name in ("CMakeLists.txt", "src/CMakeLists.txt", "src/hrbfnpr.map", "cmake/HrbfnprRooms.cmake", "include/hrbfnpr.h",
+        for name in ("CMakeLists.txt", "src/CMakeLists.txt", "src/hrbfnpr.exports", "cmake/HrbfnprRooms.cmake", "include/hrbfnpr.h",
                      "setup.py", "pyproject.toml", "LICENSE", "THIRD-PARTY-NOTICES.md", "hrbfnpr/_records.json"):
             self.assertTrue((top / name).is_file(), name)
         self.assertIn(f"\nVersion: {common.version()}\n", (top / "PKG-INFO").read_text())
