@@ -3,7 +3,7 @@
 local ffi = require "ffi"
 require "hrbfnpr_cdef"
 
-local C = ffi.load(os.getenv "HRBFNPR_LIBRARY" or "hrbfnpr")
+local C = ffi.load(os.getenv "HRBFNPR_LIBRARY" or "libhrbfnpr")
 assert(C.hrbfnpr_abi_version() == C.HRBFNPR_ABI_VERSION, "hrbfnpr_cdef.lua is not of this library's version")
 
 local hrbfnpr = { C = C }

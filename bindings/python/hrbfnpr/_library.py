@@ -17,7 +17,7 @@ _ABI_VERSION: int = ffi.integer_const("HRBFNPR_ABI_VERSION")
 
 def _file_names() -> Tuple[str, ...]:
     if sys.platform == "win32":
-        return ("hrbfnpr.dll", "libhrbfnpr.dll")
+        return ("libhrbfnpr.dll", "hrbfnpr.dll")
     if sys.platform == "darwin":
         return (f"libhrbfnpr.{_ABI_VERSION}.dylib", "libhrbfnpr.dylib")
     return (f"libhrbfnpr.so.{_ABI_VERSION}", "libhrbfnpr.so")

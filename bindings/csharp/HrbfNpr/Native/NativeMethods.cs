@@ -39,7 +39,8 @@ namespace HrbfNpr
 #if (UNITY_IOS || UNITY_WEBGL) && !UNITY_EDITOR
         internal const string Name = "__Internal"; // the library is linked into the player
 #else
-        internal const string Name = "hrbfnpr";
+        // With "lib" also on Windows, where hrbfnpr.dll and HrbfNpr.dll, the name of this assembly, are the same file.
+        internal const string Name = "libhrbfnpr";
 #endif
 
 #if NET7_0_OR_GREATER
@@ -96,7 +97,7 @@ namespace HrbfNpr
         {
             if (OperatingSystem.IsWindows())
             {
-                return new[] { "hrbfnpr.dll", "libhrbfnpr.dll" };
+                return new[] { "libhrbfnpr.dll" };
             }
             if (OperatingSystem.IsMacOS() || OperatingSystem.IsIOS())
             {
