@@ -84,6 +84,36 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
+        public void ACallEndsEvenIfAnotherCallbackOfTheTokenStillRuns()
+        {
+            using (var source = new CancellationTokenSource())
+            using (var running = new ManualResetEventSlim())
+            using (var goOn = new ManualResetEventSlim())
+            {
+                var canceller = new Thread(source.Cancel);
+                var reports = new Reports(at =>
+                {
+                    if (canceller.ThreadState == ThreadState.Unstarted)
+                    {
+                        source.Token.Register(() => // runs before the callback of the call, which was registered earlier
+                        {
+                            running.Set();
+                            goOn.Wait();
+                        });
+                        canceller.Start();
+                        running.Wait();
+                    }
+                });
+                CancelledException thrown = Assert.Throws<CancelledException>(() => Model.Fit(
+                    (ArrayView)Many, (ArrayView)Many, Direct, null, reports, source.Token));
+                goOn.Set();
+                canceller.Join();
+                Assert.Equal(source.Token, thrown.CancellationToken);
+                Assert.Single(reports.Seen);
+            }
+        }
+
+        [Fact]
         public void ATimerCancelsAndTheTaskEndsAsCancelled()
         {
             using (var source = new CancellationTokenSource(30))

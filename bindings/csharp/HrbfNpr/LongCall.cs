@@ -38,9 +38,9 @@ namespace HrbfNpr
             operation = Create(owner);
             try
             {
-                if (progress != null)
+                if (progress != null || token.CanBeCanceled)
                 {
-                    state = new ProgressState(progress);
+                    state = new ProgressState(progress, token);
                     user = new UserHandle(state);
                     hrbfnpr_error error = Errors.New();
                     Errors.Check(
@@ -112,8 +112,12 @@ namespace HrbfNpr
             var state = CallbackState.From<ProgressState>(user);
             try
             {
-                state.Progress.Report(progress);
-                return 0;
+                if (state.Progress != null)
+                {
+                    state.Progress.Report(progress);
+                }
+                // The token may be cancelled before OnCancel has run: a token runs its callbacks one after another.
+                return state.Token.IsCancellationRequested ? 1 : 0;
             }
             catch (Exception exception)
             {
@@ -125,10 +129,12 @@ namespace HrbfNpr
         private sealed class ProgressState : CallbackState
         {
             internal readonly IProgress<double> Progress;
+            internal readonly CancellationToken Token;
 
-            internal ProgressState(IProgress<double> progress)
+            internal ProgressState(IProgress<double> progress, CancellationToken token)
             {
                 Progress = progress;
+                Token = token;
             }
         }
     }
