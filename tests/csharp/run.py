@@ -260,7 +260,22 @@ def test_unity(work, library):
     return 0
 
 
+def check_native_names():
+    """On Windows, names that differ only in upper and lower case are one file: the library must not have the assembly's."""
+    project = (BINDING / "HrbfNpr" / "HrbfNpr.csproj").read_text(encoding="utf-8")
+    assembly = re.search(r"<AssemblyName>(.*)</AssemblyName>", project).group(1).lower() + ".dll"
+    declared = (BINDING / "HrbfNpr" / "Native" / "NativeMethods.cs").read_text(encoding="utf-8")
+    names = {"the name that is imported": re.search(r'Name = "(?!__)(.*)";', declared).group(1) + ".dll"}
+    tried = re.search(r"IsWindows\(\)\)\s*{\s*return new\[\] { (.*) };", declared).group(1)
+    names.update({f"the file {name} that is tried": name for name in re.findall(r'"(.*?)"', tried)})
+    packed = re.search(r'"win": "(.*?)"', (BINDING / "package.py").read_text(encoding="utf-8")).group(1)
+    names["the file in packages"] = packed
+    for what, name in names.items():
+        require(name.lower() != assembly, f"{what} is also the file name of the assembly on Windows")
+
+
 def test_native(work):
+    check_native_names()
     return run([sys.executable, "-B", ROOT / "bindings" / "generate", "--check", "csharp", "versions"])[0]
 
 
