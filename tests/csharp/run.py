@@ -19,6 +19,7 @@ import shutil
 import subprocess
 import sys
 import tarfile
+import time
 import zipfile
 from pathlib import Path
 
@@ -171,7 +172,7 @@ def package(kind, work, library, *options, env=None):
     folder = work / "packages"
     shutil.rmtree(folder, ignore_errors=True)
     must([sys.executable, "-B", BINDING / "package.py", kind, folder, "--native", f"{RID}={library}", *options],
-         env=env)
+         env={**(env or os.environ), "SOURCE_DATE_EPOCH": "1700000000"})
     return folder
 
 
@@ -187,7 +188,7 @@ def test_nuget(work, library):
     folder = package("nuget", work, library, "--no-restore", *dotnet.common, *chosen, env=dotnet.values)
     (file,) = folder.glob("HrbfNpr.*.nupkg")
     names = set(zipfile.ZipFile(file).namelist())
-    wanted = {"README.md", "HrbfNpr.nuspec", f"runtimes/{RID}/native/libhrbfnpr.so"}
+    wanted = {"LICENSE", "README.md", "THIRD-PARTY-NOTICES.md", "HrbfNpr.nuspec", f"runtimes/{RID}/native/libhrbfnpr.so"}
     wanted |= {f"lib/{framework}/HrbfNpr.{kind}" for framework in frameworks for kind in ("dll", "xml")}
     require(wanted <= names, f"the package lacks {sorted(wanted - names)}")
 
@@ -231,6 +232,9 @@ def check_unity_files(folder):
 def test_unity(work, library):
     folder = package("unity", work, library)
     archive = next(folder.glob("*.tgz"))
+    first = archive.read_bytes()
+    time.sleep(1)
+    require(next(package("unity", work, library).glob("*.tgz")).read_bytes() == first, "the archive differs each time")
     unpacked = folder / "unpacked"
     with tarfile.open(archive) as file:
         file.extractall(unpacked)
