@@ -21,7 +21,7 @@ package_set() {
     scenes) echo draco assimp-utils occt-draw ;;
     guide) echo python3-sphinx python3-myst-parser furo ;;
     abi) echo tcc abigail-tools ;;
-    valid) echo libxml2-utils w3c-sgml-lib qpdf ;;
+    valid) echo libxml2-utils w3c-sgml-lib qpdf python3-jsonschema ;;
     dask) echo python3-distributed ;;
     csharp) echo mono-mcs mono-runtime ;;
     love) echo love luajit xvfb xauth ;;
