@@ -66,7 +66,8 @@ class SbomTest(unittest.TestCase):
         self.assertEqual(self.inside("hrbfnpr-{}-py3-none-win_amd64.whl"), [*headers, "libstdc++", "winpthreads"])
         self.assertEqual(self.inside("HrbfNpr.{}.nupkg"), [*headers, "libc++", "libstdc++", "winpthreads"])
         self.assertEqual(self.inside("hrbfnpr-{}.tgz"), sorted([*headers, "Emscripten"]))
-        for name in ("hrbfnpr-{}-source.tar.gz", "hrbfnpr-{}.tar.gz", "hrbfnpr-sys-{}.crate", "python3-hrbfnpr_{}_all.deb"):
+        for name in ("hrbfnpr-{}-source.tar.gz", "hrbfnpr-{}.tar.gz", "hrbfnpr-sys-{}.crate",
+                     "python3-hrbfnpr_{}_all.deb"):
             self.assertEqual(self.inside(name), [])
 
     def test_versions_are_those_of_the_upstream_projects(self) -> None:
