@@ -74,7 +74,8 @@ def on_windows(release: Release, folder: Path, import_library: str) -> str:
     execute(MINGW, "-O2", "-I", folder / "include", scene.C_PROGRAM, folder / "lib" / import_library, "-o", program)
     for library in folder.glob("bin/*.dll"):
         shutil.copy(library, program.parent)
-    return drawn(program, "env", "WINEDEBUG=-all", f"WINEPREFIX={release.work / 'wine'}", "wine")
+    quiet = ("WINEDEBUG=-all", "WINEDLLOVERRIDES=mscoree,mshtml=", f"WINEPREFIX={release.work / 'wine'}")
+    return drawn(program, "env", *quiet, "wine")
 
 
 Trial = Tuple[str, Callable[[Release, Path], str]]  # where, and the function that returns the hash of the picture
