@@ -3,38 +3,44 @@
 """Make the npm package hrbfnpr from the modules that the presets wasm and wasm-threads build.
 
     package.py folder FOLDER [--wasm BUILD] [--threads BUILD]     makes the package as a folder
-    package.py pack FOLDER [...]                                  also makes FOLDER/../hrbfnpr-VERSION.tgz by npm pack
+    package.py pack FOLDER [...]                                  also makes FOLDER/../hrbfnpr-VERSION.tgz
 
 The default builds are build/wasm and build/wasm-threads.  A build that does not exist is left out: the package then
-loads only without threads, or only with threads.
+loads only without threads, or only with threads.  The same modules make an archive with the same bytes each time; its
+files have the date SOURCE_DATE_EPOCH, or else the date that npm pack gives to all files.
 """
 import argparse
-import json
+import os
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
+sys.path.insert(0, str(ROOT / "scripts" / "packaging"))
+from common import HEADERS, notices, tree, version, write_tar  # noqa: E402
+
 LEFT_OUT = shutil.ignore_patterns("exports.txt")
-
-
-def version():
-    return json.loads((ROOT / "bindings" / "api.json").read_text(encoding="utf-8"))["version"]
+NOTICES = (*HEADERS, "libc++", "Emscripten")
+NPM_DATE = 499162500  # 1985-10-26, the date of all files in archives of npm pack
 
 
 def modules(build):
     return sorted((build / "bindings" / "js").glob("hrbfnpr*.*"))
 
 
+def described():
+    """Return package.json with the version, which bindings/js/package.json leaves to the header."""
+    text = (HERE / "package.json").read_text(encoding="utf-8")
+    return text.replace('"name": "hrbfnpr",', f'"name": "hrbfnpr",\n  "version": "{version()}",', 1)
+
+
 def make(folder, builds):
-    described = json.loads((HERE / "package.json").read_text(encoding="utf-8"))
-    if described["version"] != version():
-        sys.exit(f"bindings/js/package.json is of version {described['version']}, the library of {version()}")
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(HERE / "src", folder / "src", ignore=LEFT_OUT)
-    for path in (HERE / "package.json", HERE / "README.md", ROOT / "LICENSE"):
+    (folder / "package.json").write_text(described(), encoding="utf-8")
+    (folder / "THIRD-PARTY-NOTICES.md").write_text(notices(NOTICES), encoding="utf-8")
+    for path in (HERE / "README.md", ROOT / "LICENSE"):
         shutil.copy(path, folder)
     for name, build in builds.items():
         target = folder / name
@@ -46,11 +52,9 @@ def make(folder, builds):
 
 
 def pack(folder):
-    result = subprocess.run(["npm", "pack", "--loglevel=error", "--pack-destination", folder.parent, folder],
-                            capture_output=True, text=True)
-    if result.returncode != 0:
-        sys.exit(f"npm pack failed: {result.stderr}")
-    return folder.parent / result.stdout.split()[-1]
+    """Write the archive, with the names that npm wants in it, and return its path."""
+    date = int(os.environ.get("SOURCE_DATE_EPOCH", NPM_DATE))
+    return write_tar(folder.parent / f"hrbfnpr-{version()}.tgz", tree(folder, "package/"), date)
 
 
 def main():
@@ -64,8 +68,9 @@ def main():
               if any(path.suffix == ".wasm" for path in modules(build))}
     if not builds:
         sys.exit("there is no module: run scripts/web, or build the preset wasm")
-    make(arguments.folder.resolve(), builds)
-    print(pack(arguments.folder.resolve()) if arguments.what == "pack" else arguments.folder)
+    folder = arguments.folder.resolve()
+    make(folder, builds)
+    print(pack(folder) if arguments.what == "pack" else arguments.folder)
 
 
 if __name__ == "__main__":
