@@ -3,6 +3,7 @@
 //! Build scripts of crates that depend on this crate find the folder in DEP_HRBFNPR_LIB_DIR.
 use std::{env, path::Path, process::Command};
 
+/// The files that linkers take for the library. The last two are import libraries of libhrbfnpr.dll, for MSVC and MinGW.
 const NAMES: [&str; 4] = [
     "libhrbfnpr.so",
     "libhrbfnpr.dylib",
