@@ -136,8 +136,8 @@ export class Handle {
 /** Holds the threads, the memory and the log.  Everything else is made from a context. */
 export class Context extends Handle {
   info(): O.ContextInfo;
-  /** Draws one or several sources: points (n x 3, with or without normals), a mesh (points and triangles), a model or a
-   *  point set.  The picture chooses what the options leave open, and tells its choices in its notes. */
+  /** Draws one or several sources: points (n x 3, with or without normals), a mesh (points and triangles), { model }
+   *  or { pointSet }.  The picture chooses what the options leave open, and tells its choices in its notes. */
   draw(source: PictureInput | readonly PictureInput[], options?: PictureOptions, control?: Control): Picture;
   /** Reads the text of a settings file, for the option `settings`. */
   loadSettings(text: string | Uint8Array): Settings;
