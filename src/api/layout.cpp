@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <utility>
 
 namespace hrbfnpr::api {
 namespace {
@@ -63,53 +64,56 @@ constexpr void write(Text& text, const StructLayout& layout) noexcept {
     text << "]}";
 }
 
-constexpr void write_all(Text& text) noexcept {
-    text << "[";
-    bool first = true;
-    for (const StructLayout& layout : layouts) {
-        text << (first ? "" : ",\n");
-        write(text, layout);
-        first = false;
-    }
-    text << "]";
-}
-
-constexpr std::size_t length() noexcept {
+constexpr std::size_t length_of(const StructLayout& layout) noexcept {
     Text text(nullptr);
-    write_all(text);
-    for (const StructLayout& layout : layouts) write(text, layout);
-    return text.size() + 1 + layouts.size(); // Each text ends with a NUL, which is counted, too.
+    write(text, layout);
+    return text.size();
 }
 
-// The text with the list of all structs, followed by a text for each struct.
-struct Texts {
-    std::array<char, length()> characters;
-    std::array<std::size_t, layouts.size() + 1> begins;
-};
-
-constexpr Texts make_texts() noexcept {
-    Texts texts{};
-    Text text(texts.characters.data());
-    const auto end = [&] { text << std::string_view("\0", 1); };
-    write_all(text);
-    end();
-    for (std::size_t i = 0; i < layouts.size(); ++i) {
-        texts.begins[i + 1] = text.size();
-        write(text, layouts[i]);
-        end();
-    }
-    return texts;
+// Returns the text of a struct, with a NUL at its end.
+template <std::size_t index>
+constexpr auto make_text() noexcept {
+    std::array<char, length_of(layouts[index]) + 1> characters{};
+    Text text(characters.data());
+    write(text, layouts[index]);
+    return characters;
 }
 
-constexpr Texts texts = make_texts();
+// Each text is a constant, because Clang limits the work for a single constant.
+template <std::size_t index>
+constexpr auto text_of = make_text<index>();
+
+// Returns the text with the list of all structs, with a NUL at its end.
+template <std::size_t... index>
+constexpr auto make_list(std::index_sequence<index...> /*all*/) noexcept {
+    // The list has ",\n" in place of the NUL of each text but the last, and "[", "]" and its own NUL.
+    std::array<char, (text_of<index>.size() + ...) + sizeof...(index) + 1> list{};
+    char* to = list.data();
+    const auto add = [&to](std::string_view text) {
+        for (const char c : text) *to++ = c;
+    };
+    add("[");
+    ((add(index == 0 ? "" : ",\n"), add({text_of<index>.data(), text_of<index>.size() - 1})), ...);
+    add("]");
+    return list;
+}
+
+constexpr auto list = make_list(std::make_index_sequence<layouts.size()>());
+
+template <std::size_t... index>
+constexpr std::array<const char*, layouts.size()> begins_of(std::index_sequence<index...> /*all*/) noexcept {
+    return {text_of<index>.data()...};
+}
+
+constexpr std::array begins = begins_of(std::make_index_sequence<layouts.size()>());
 
 } // namespace
 } // namespace hrbfnpr::api
 
 extern "C" const char* hrbfnpr_layout(const char* name) {
     using namespace hrbfnpr::api;
-    if (name == nullptr) return texts.characters.data();
+    if (name == nullptr) return list.data();
     for (std::size_t i = 0; i < layouts.size(); ++i)
-        if (layouts[i].name == name) return texts.characters.data() + texts.begins[i + 1];
+        if (layouts[i].name == name) return begins[i];
     return nullptr;
 }
