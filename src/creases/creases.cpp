@@ -443,7 +443,7 @@ void build(const base::Work& work, SheetMesh& in, SharpMesh& out) {
 
 // ---- Curves
 
-constexpr std::int64_t points_a_task = 16;
+constexpr std::int64_t crease_points_a_task = 16;
 constexpr int crease_rounds = 8; // pieces are halved at most this many times
 
 CurvePoint as_curve_point(const CreasePoint& p) noexcept {
@@ -774,7 +774,7 @@ Creases trace_creases(const base::Work& work, const implicit::Implicit& implicit
     };
     const auto bring = [&](base::Array<CreasePoint>& added, const base::Array<std::int64_t>& of, const auto&) {
         base::Array<std::uint8_t> found(work.memory, added.size());
-        threads.for_chunks(added.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
+        threads.for_chunks(added.size(), crease_points_a_task, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t k = begin; k < end; ++k) {
                 surface::Meeting meeting;
                 meeting.add(creases.left[of[k]]);

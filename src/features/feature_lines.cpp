@@ -249,7 +249,7 @@ FeatureValue parabolic(const ShapePoint& shape, double unit) noexcept {
 
 // ---- Values at the vertices
 
-constexpr std::int64_t vertices_a_task = 4096;
+constexpr std::int64_t elements_a_task = 4096;
 
 struct FeatureCrossing {
     std::int32_t a, b; // indices of the vertices, a < b
@@ -276,7 +276,7 @@ base::Array<FeatureValue> vertex_values(const base::Work& work, const FeatureSur
     const bool section = request.kind == FeatureKind::section;
     HRBFNPR_ASSERT(section || surface.shape.size() == mesh.vertices());
     const double unit = surface.implicit.diagonal();
-    work.for_chunks(mesh.vertices(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
+    work.for_chunks(mesh.vertices(), elements_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
             value[i] = section ? FeatureValue{glm::dot(request.plane, mesh.position[i]), 1.0}
                                : requested_value(request, surface.shape[i], mesh.position[i], unit);
@@ -380,7 +380,7 @@ struct FeatureField {
 Chains<FeatureCrossing> find_crossings(const base::Work& work, const FeatureField& field) {
     base::Array<std::uint8_t> crossed(work.memory);
     crossed.resize_for_overwrite(field.mesh.triangles());
-    work.for_chunks(crossed.size(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
+    work.for_chunks(crossed.size(), elements_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t t = begin; t < end; ++t) crossed[t] = field.crossed(t);
     });
     const auto enters = [&](std::int64_t edge) { return field.directed || field.negative(start_of(field.mesh, edge)); };

@@ -7,6 +7,7 @@
 #include "hatching/lines.h"
 
 #include "base/sort.h"
+#include "curves/mesh_edges.h"
 #include "geometry/long_vec_array.h"
 #include "geometry/point_grid.h"
 #include "hatching/tuning.h"
@@ -32,22 +33,6 @@ struct Crossing {
     bool rises;        // true if the phase grows from a to b, as Waves::growth() computes it
     std::uint8_t level;
 };
-
-// Edge 3 t + k goes from corner k of triangle t to the next corner. If two triangles share an edge, the triangle with
-// the lower index owns it.
-std::int32_t end_of(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
-    return mesh.corner[edge - edge % 3 + (edge % 3 + 1) % 3];
-}
-bool is_owned(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
-    return mesh.neighbour[edge] < 0 || edge / 3 < mesh.neighbour[edge];
-}
-// Returns the index of this edge in the triangle on its other side, or -1 at a border.
-std::int64_t across(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
-    const std::int64_t other = 3 * std::int64_t{mesh.neighbour[edge]};
-    for (std::int64_t k = other; k >= 0 && k < other + 3; ++k)
-        if (mesh.corner[k] == end_of(mesh, edge) && end_of(mesh, k) == mesh.corner[edge]) return k;
-    return -1;
-}
 
 // Calls visit(crossing, line number) for all crests of the finest wave between two vertices, and for 2^halvings - 1
 // lines between any two consecutive crests, in the order of their numbers.
@@ -103,7 +88,7 @@ Crossings cross_edges(const base::Work& work, const curves::SurfaceMesh& mesh, c
     const auto for_edges = [&](const auto& visit) {
         work.for_chunks(edges, triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t edge = begin; edge < end; ++edge)
-                if (is_owned(mesh, edge)) visit(edge, mesh.corner[edge], end_of(mesh, edge));
+                if (is_first(mesh, edge)) visit(edge, mesh.corner[edge], end_of(mesh, edge));
         });
     };
     for_edges([&](std::int64_t edge, std::int32_t a, std::int32_t b) {
@@ -159,9 +144,9 @@ void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int
         open.push_back(2 * slot + (rises ? 1 : 0));
     };
     for (std::int64_t edge = 3 * triangle; edge < 3 * triangle + 3; ++edge) {
-        if (is_owned(mesh, edge)) {
+        if (is_first(mesh, edge)) {
             for (std::int64_t c = found.first[edge]; c < found.first[edge + 1]; ++c) add(c, false, true);
-        } else if (const std::int64_t other = across(mesh, edge); other >= 0) {
+        } else if (const std::int64_t other = opposite_of(mesh, edge); other >= 0) {
             for (std::int64_t c = found.first[other + 1] - 1; c >= found.first[other]; --c) add(c, true, false);
         }
     }

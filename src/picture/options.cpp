@@ -8,6 +8,7 @@
 #include "base/assert.h"
 #include "base/utf8.h"
 #include "picture/call.h"
+#include "picture/settings_keys.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +22,6 @@ namespace {
 using PictureDesc = hrbfnpr_picture_desc;
 using Dab = hrbfnpr_dab;
 constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
-constexpr std::int32_t largest_side = 32768;
 constexpr double largest_number = 1e300; // Larger lengths and coordinates are refused.
 
 // Accepts NaN, which asks for an automatic choice, and the values that a rule accepts.
@@ -62,9 +62,9 @@ constexpr auto picture_fields() noexcept {
                       field("dabs", &D::dabs, rule::Any{}),
                       field("dab_count", &D::dab_count, rule::Any{}),
                       field("dab_stride", &D::dab_stride, rule::Any{}),
-                      field("width", &D::width, rule::Between{0.0, largest_side}),
-                      field("height", &D::height, rule::Between{0.0, largest_side}),
-                      field("size", &D::size, rule::Between{0.0, largest_side}),
+                      field("width", &D::width, rule::Between{0.0, picture::largest_settings_side}),
+                      field("height", &D::height, rule::Between{0.0, picture::largest_settings_side}),
+                      field("size", &D::size, rule::Between{0.0, picture::largest_settings_side}),
                       field("sides", &D::sides, rule::OneOf{HRBFNPR_PICTURE_SIDES_BOTH, "HRBFNPR_PICTURE_SIDES_*"}),
                       field("pen", &D::pen, OrZero{1e-6, 1e6}),
                       field("line_width", &D::line_width, OrZero{1e-6, 1e6}),
