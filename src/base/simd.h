@@ -2,9 +2,10 @@
 // Loops that Highway compiles once for each instruction set. The version to run is chosen at run time.
 //
 // A file with such loops defines HWY_TARGET_INCLUDE as its own file name, includes this header, puts its loops into
-// HWY_NAMESPACE between HWY_BEFORE_NAMESPACE() and HWY_AFTER_NAMESPACE(), and ends with HRBFNPR_CHOOSE.  It must not
-// use the standard library, GLM or Eigen: if an inline function is compiled for several instruction sets, the linker
-// keeps only one copy, which the processor may not be able to run.
+// HWY_NAMESPACE::NAME between HWY_BEFORE_NAMESPACE() and HWY_AFTER_NAMESPACE(), and ends with HRBFNPR_CHOOSE. NAME is
+// the name of the file: amalgamate.py puts all such files into one. The file must not use the standard library, GLM or
+// Eigen: if an inline function is compiled for several instruction sets, the linker keeps only one copy, which the
+// processor may not be able to run.
 
 #if !defined(HWY_DISABLED_TARGETS)
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)

@@ -8,7 +8,7 @@
 #include <hwy/contrib/math/math-inl.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace hrbfnpr::fit::HWY_NAMESPACE {
+namespace hrbfnpr::fit::HWY_NAMESPACE::local_factors {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -314,18 +314,18 @@ void factor_systems(const LocalSystems& systems, const double* position, double*
 
 } // namespace
 
-FactorLocalSystems pick_factor() noexcept { return factor_systems; }
+FactorLocalSystems pick() noexcept { return factor_systems; }
 std::int64_t lanes() noexcept { return static_cast<std::int64_t>(hn::Lanes(D())); }
 
-} // namespace hrbfnpr::fit::HWY_NAMESPACE
+} // namespace hrbfnpr::fit::HWY_NAMESPACE::local_factors
 HWY_AFTER_NAMESPACE();
 
-HRBFNPR_CHOOSE(hrbfnpr::fit, FactorLocalSystems, local_factors, pick_factor)
+HRBFNPR_CHOOSE(hrbfnpr::fit, FactorLocalSystems, local_factors, local_factors::pick)
 
 #if HWY_ONCE
 namespace hrbfnpr::fit {
 
-std::int64_t local_factor_batch(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, lanes)(); }
+std::int64_t local_factor_batch(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, local_factors::lanes)(); }
 
 std::int64_t local_factor_scratch_size(base::InstructionSet set, std::int32_t set_size) noexcept {
     const std::int64_t blocks = std::int64_t{set_size} * (set_size + 1) / 2 + set_size;

@@ -6,7 +6,7 @@
 #include "fit/sparse_blocks.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace hrbfnpr::fit::HWY_NAMESPACE {
+namespace hrbfnpr::fit::HWY_NAMESPACE::sparse_blocks {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -83,9 +83,9 @@ void multiply(const SparseFactor& factor, std::int64_t begin, std::int64_t end, 
 
 } // namespace
 
-SparseBlocks pick_blocks() noexcept { return {multiply_transposed, multiply}; }
+SparseBlocks pick() noexcept { return {multiply_transposed, multiply}; }
 
-} // namespace hrbfnpr::fit::HWY_NAMESPACE
+} // namespace hrbfnpr::fit::HWY_NAMESPACE::sparse_blocks
 HWY_AFTER_NAMESPACE();
 
-HRBFNPR_CHOOSE(hrbfnpr::fit, SparseBlocks, sparse_blocks, pick_blocks)
+HRBFNPR_CHOOSE(hrbfnpr::fit, SparseBlocks, sparse_blocks, sparse_blocks::pick)

@@ -7,7 +7,7 @@
 #include "implicit/cube_loops.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace hrbfnpr::implicit::HWY_NAMESPACE {
+namespace hrbfnpr::implicit::HWY_NAMESPACE::cube_loops {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -278,9 +278,9 @@ void hessian(int degree, const double* terms, const CubeSamples& samples, double
 
 } // namespace
 
-CubeLoops pick_loops() noexcept { return {translate, multiply, moments, evaluate, hessian}; }
+CubeLoops pick() noexcept { return {translate, multiply, moments, evaluate, hessian}; }
 
-} // namespace hrbfnpr::implicit::HWY_NAMESPACE
+} // namespace hrbfnpr::implicit::HWY_NAMESPACE::cube_loops
 HWY_AFTER_NAMESPACE();
 
-HRBFNPR_CHOOSE(hrbfnpr::implicit, CubeLoops, cube_loops, pick_loops)
+HRBFNPR_CHOOSE(hrbfnpr::implicit, CubeLoops, cube_loops, cube_loops::pick)

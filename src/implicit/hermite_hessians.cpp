@@ -7,7 +7,7 @@
 #include "implicit/hermite_pairs-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace hrbfnpr::implicit::HWY_NAMESPACE {
+namespace hrbfnpr::implicit::HWY_NAMESPACE::hermite_hessians {
 namespace {
 
 // A kernel below writes the term of a source as H = factor (iso I + (e w^T + w e^T) / 2), where e is along d and w is a
@@ -160,7 +160,7 @@ void add_hessians(double radius, const Sources& sources, const HessianTargets& t
 
 } // namespace
 
-AddHermiteHessians pick_hessians(kernel::Kind kind) noexcept {
+AddHermiteHessians pick(kernel::Kind kind) noexcept {
     switch (kind) {
     case kernel::Kind::gaussian: return add_hessians<Gaussian>;
     case kernel::Kind::wendland_c2: return add_hessians<WendlandC2>;
@@ -169,14 +169,14 @@ AddHermiteHessians pick_hessians(kernel::Kind kind) noexcept {
     return add_hessians<Triharmonic>;
 }
 
-} // namespace hrbfnpr::implicit::HWY_NAMESPACE
+} // namespace hrbfnpr::implicit::HWY_NAMESPACE::hermite_hessians
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace hrbfnpr::implicit {
 
 AddHermiteHessians hermite_hessians(base::InstructionSet set, kernel::Kind kind) noexcept {
-    return HRBFNPR_PICK(set, pick_hessians)(kind);
+    return HRBFNPR_PICK(set, hermite_hessians::pick)(kind);
 }
 
 } // namespace hrbfnpr::implicit

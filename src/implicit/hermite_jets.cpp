@@ -7,7 +7,7 @@
 #include "implicit/hermite_jets.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace hrbfnpr::implicit::HWY_NAMESPACE {
+namespace hrbfnpr::implicit::HWY_NAMESPACE::hermite_jets {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -100,9 +100,9 @@ void add_jets(const Sources& sources, const SourceRange* ranges, std::int64_t co
 
 } // namespace
 
-AddTriharmonicJets pick_jets() noexcept { return add_jets; }
+AddTriharmonicJets pick() noexcept { return add_jets; }
 
-} // namespace hrbfnpr::implicit::HWY_NAMESPACE
+} // namespace hrbfnpr::implicit::HWY_NAMESPACE::hermite_jets
 HWY_AFTER_NAMESPACE();
 
-HRBFNPR_CHOOSE(hrbfnpr::implicit, AddTriharmonicJets, triharmonic_jets_of, pick_jets)
+HRBFNPR_CHOOSE(hrbfnpr::implicit, AddTriharmonicJets, triharmonic_jets_of, hermite_jets::pick)

@@ -7,7 +7,7 @@
 #include "implicit/hermite_sums.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace hrbfnpr::implicit::HWY_NAMESPACE {
+namespace hrbfnpr::implicit::HWY_NAMESPACE::hermite_sums {
 namespace {
 
 struct Sum {
@@ -196,18 +196,18 @@ AddHermiteSums pick_sums(kernel::Kind kind) noexcept {
     return add_sums<Triharmonic>;
 }
 
-} // namespace hrbfnpr::implicit::HWY_NAMESPACE
+} // namespace hrbfnpr::implicit::HWY_NAMESPACE::hermite_sums
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace hrbfnpr::implicit {
 
 AddHermiteSums hermite_sums(base::InstructionSet set, kernel::Kind kind) noexcept {
-    return HRBFNPR_PICK(set, pick_sums)(kind);
+    return HRBFNPR_PICK(set, hermite_sums::pick_sums)(kind);
 }
 
 AddTriharmonicValues triharmonic_values_of(base::InstructionSet set) noexcept {
-    return HRBFNPR_PICK(set, pick_values)();
+    return HRBFNPR_PICK(set, hermite_sums::pick_values)();
 }
 
 } // namespace hrbfnpr::implicit

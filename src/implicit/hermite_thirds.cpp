@@ -9,7 +9,7 @@
 #include <hwy/contrib/math/math-inl.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace hrbfnpr::implicit::HWY_NAMESPACE {
+namespace hrbfnpr::implicit::HWY_NAMESPACE::hermite_thirds {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -175,7 +175,7 @@ void add_thirds(double radius, double smoothing, const Sources& sources, const T
 
 } // namespace
 
-AddHermiteThirds pick_thirds(kernel::Kind kind) noexcept {
+AddHermiteThirds pick(kernel::Kind kind) noexcept {
     switch (kind) {
     case kernel::Kind::gaussian: return add_thirds<Gaussian>;
     case kernel::Kind::wendland_c2: return add_thirds<WendlandC2>;
@@ -184,14 +184,14 @@ AddHermiteThirds pick_thirds(kernel::Kind kind) noexcept {
     return add_thirds<Triharmonic>;
 }
 
-} // namespace hrbfnpr::implicit::HWY_NAMESPACE
+} // namespace hrbfnpr::implicit::HWY_NAMESPACE::hermite_thirds
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace hrbfnpr::implicit {
 
 AddHermiteThirds hermite_thirds(base::InstructionSet set, kernel::Kind kind) noexcept {
-    return HRBFNPR_PICK(set, pick_thirds)(kind);
+    return HRBFNPR_PICK(set, hermite_thirds::pick)(kind);
 }
 
 } // namespace hrbfnpr::implicit

@@ -6,7 +6,7 @@
 #include "stipples/order_loops.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace hrbfnpr::stipples::HWY_NAMESPACE {
+namespace hrbfnpr::stipples::HWY_NAMESPACE::order_loops {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -181,17 +181,17 @@ std::int64_t index_of_smallest(const float* numbers, std::int64_t count) {
 
 } // namespace
 
-OrderLoops pick_loops() noexcept {
+OrderLoops pick() noexcept {
     return {{add_energy<false>, add_energy<true>},
             lowest,
             {add_energy_and_find<false>, add_energy_and_find<true>},
             index_of_smallest};
 }
 
-} // namespace hrbfnpr::stipples::HWY_NAMESPACE
+} // namespace hrbfnpr::stipples::HWY_NAMESPACE::order_loops
 HWY_AFTER_NAMESPACE();
 
-HRBFNPR_CHOOSE(hrbfnpr::stipples, OrderLoops, order_loops, pick_loops)
+HRBFNPR_CHOOSE(hrbfnpr::stipples, OrderLoops, order_loops, order_loops::pick)
 
 #if HWY_ONCE
 namespace hrbfnpr::stipples {

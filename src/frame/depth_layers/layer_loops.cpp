@@ -8,7 +8,7 @@
 #include "frame/depth_layers/tuning.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace hrbfnpr::frame::HWY_NAMESPACE {
+namespace hrbfnpr::frame::HWY_NAMESPACE::layer_loops {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -130,9 +130,9 @@ void draw_halos(const LayerPlanes& p, const SplatList& list) {
 
 } // namespace
 
-LayerLoops pick_layer_loops() noexcept { return {draw_nearest, draw_all_next, draw_halos}; }
+LayerLoops pick() noexcept { return {draw_nearest, draw_all_next, draw_halos}; }
 
-} // namespace hrbfnpr::frame::HWY_NAMESPACE
+} // namespace hrbfnpr::frame::HWY_NAMESPACE::layer_loops
 HWY_AFTER_NAMESPACE();
 
-HRBFNPR_CHOOSE(hrbfnpr::frame, LayerLoops, layer_loops, pick_layer_loops)
+HRBFNPR_CHOOSE(hrbfnpr::frame, LayerLoops, layer_loops, layer_loops::pick)

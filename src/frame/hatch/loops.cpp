@@ -7,7 +7,7 @@
 #include "frame/hatch/tuning.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace hrbfnpr::frame::HWY_NAMESPACE {
+namespace hrbfnpr::frame::HWY_NAMESPACE::hatch_loops {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -320,9 +320,9 @@ void measure_distances(const HatchRows& rows, std::int64_t count, bool closed) {
 
 } // namespace
 
-HatchLoops pick_hatch_loops() noexcept { return {may_draw, coverage, project, set_widths, measure_distances}; }
+HatchLoops pick() noexcept { return {may_draw, coverage, project, set_widths, measure_distances}; }
 
-} // namespace hrbfnpr::frame::HWY_NAMESPACE
+} // namespace hrbfnpr::frame::HWY_NAMESPACE::hatch_loops
 HWY_AFTER_NAMESPACE();
 
-HRBFNPR_CHOOSE(hrbfnpr::frame, HatchLoops, hatch_loops, pick_hatch_loops)
+HRBFNPR_CHOOSE(hrbfnpr::frame, HatchLoops, hatch_loops, hatch_loops::pick)

@@ -7,7 +7,7 @@
 #include "frame/scene/projection_loops.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace hrbfnpr::frame::HWY_NAMESPACE {
+namespace hrbfnpr::frame::HWY_NAMESPACE::projection_loops {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -217,9 +217,9 @@ void select(const Selection& j, const MarkRange& range, const ProjectedMarks& pr
 
 } // namespace
 
-ProjectionLoops pick_projection_loops() noexcept { return {project, project_rows, select}; }
+ProjectionLoops pick() noexcept { return {project, project_rows, select}; }
 
-} // namespace hrbfnpr::frame::HWY_NAMESPACE
+} // namespace hrbfnpr::frame::HWY_NAMESPACE::projection_loops
 HWY_AFTER_NAMESPACE();
 
-HRBFNPR_CHOOSE(hrbfnpr::frame, ProjectionLoops, projection_loops, pick_projection_loops)
+HRBFNPR_CHOOSE(hrbfnpr::frame, ProjectionLoops, projection_loops, projection_loops::pick)

@@ -7,7 +7,7 @@
 #include "output/raster/raster.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace hrbfnpr::output::HWY_NAMESPACE {
+namespace hrbfnpr::output::HWY_NAMESPACE::raster_loops {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -498,9 +498,9 @@ void draw_stroke(const DiscTile& tile, const SegmentList& list, const StrokePlan
 
 } // namespace
 
-RasterLoops pick_raster_loops() noexcept { return {draw_discs, draw_stroke, store}; }
+RasterLoops pick() noexcept { return {draw_discs, draw_stroke, store}; }
 
-} // namespace hrbfnpr::output::HWY_NAMESPACE
+} // namespace hrbfnpr::output::HWY_NAMESPACE::raster_loops
 HWY_AFTER_NAMESPACE();
 
-HRBFNPR_CHOOSE(hrbfnpr::output, RasterLoops, raster_loops, pick_raster_loops)
+HRBFNPR_CHOOSE(hrbfnpr::output, RasterLoops, raster_loops, raster_loops::pick)
