@@ -42,7 +42,7 @@ SECTIONS = {
 HERE_PYTHON = {"docs/csg.md", "docs/fitting.md", "docs/hatching.md", "docs/lines.md", "docs/vectors.md"}
 PROGRAMS = set(
     (
-        "apt-get blender cc cd cmake cp ctest export git godot3-runner hrbfnpr-view mcs mkdir node npm npx pip"
+        "apt-get blender cc cd cmake cp ctest export g++ git godot3-runner hrbfnpr-view mcs mkdir node npm npx pip"
         " pkg-config python3 sudo xvfb-run"
     ).split()
 )
