@@ -38,7 +38,11 @@ def rooms() -> List[Path]:
 def sources() -> List[Path]:
     """Return all .cpp files.  Those that include <windows.h> come last, because its macros would change other code."""
     found = [path for room in rooms() for path in sorted(room.glob("*.cpp"))]
-    return sorted(found, key=lambda path: "<windows.h>" in path.read_text(encoding="utf-8"))
+    return sorted(found, key=lambda path: '#include "base/windows.h"' in path.read_text(encoding="utf-8"))
+
+
+def is_windows(path: Path) -> bool:
+    return path == SOURCE / "base" / "windows.h"
 
 
 def name_of(path: Path) -> str:
@@ -107,17 +111,17 @@ class Parts:
             return  # it is included at the top
         if ours:
             header = SOURCE / ours
-            if depth == 0:
+            if depth == 0 and not is_windows(header):
                 self.add(header)
-            elif in_loops and is_repeated(header) and header not in self.done:
+            elif not (is_windows(header) or in_loops and is_repeated(header)):
+                sys.exit(f"{path}: a header is included on a condition: {line}")
+            elif header not in self.done:  # in its place, where the condition holds
                 self.done.add(header)
                 yield f"// src/{name_of(header)}"
                 yield from self.kept_lines(header, in_loops)
-            else:
-                sys.exit(f"{path}: a header is included on a condition: {line}")
         elif other == "hwy/foreach_target.h":
             yield from (TEMPLATES / "instruction_sets.h").read_text(encoding="utf-8").rstrip("\n").split("\n")[1:]
-        elif depth > 0 or other.startswith("hwy/"):
+        elif depth > 0 or is_windows(path) or other.startswith("hwy/"):
             yield line
         else:
             self.system.add(other)
@@ -176,15 +180,20 @@ def abi() -> str:
     return found.group(1) if found else sys.exit("hrbfnpr.h has no HRBFNPR_ABI_VERSION")
 
 
+def filled(path: Path) -> str:
+    """Return the text of a template with the versions in it."""
+    text = path.read_text(encoding="utf-8")
+    return text.replace("@VERSION@", version()).replace("@HRBFNPR_ABI_VERSION@", abi())
+
+
 def contents() -> Dict[str, Union[Path, str]]:
     """Return the files of the package, by name."""
     source = source_text()
-    readme = (TEMPLATES / "README.md.in").read_text(encoding="utf-8")
     files: Dict[str, Union[Path, str]] = {
         "hrbfnpr.cpp": source,
         "hrbfnpr.h": ROOT / "include" / "hrbfnpr.h",
-        "hrbfnpr.map": SOURCE / "hrbfnpr.map",
-        "README.md": readme.replace("@VERSION@", version()).replace("@ABI@", abi()),
+        "hrbfnpr.map": filled(SOURCE / "hrbfnpr.map.in"),
+        "README.md": filled(TEMPLATES / "README.md.in"),
         "LICENSE": ROOT / "LICENSE",
         "THIRD-PARTY-NOTICES.md": notices(HEADERS),
     }
