@@ -29,18 +29,11 @@ def modules(build):
     return sorted((build / "bindings" / "js").glob("hrbfnpr*.*"))
 
 
-def described():
-    """Return package.json with the version, which bindings/js/package.json leaves to the header."""
-    text = (HERE / "package.json").read_text(encoding="utf-8")
-    return text.replace('"name": "hrbfnpr",', f'"name": "hrbfnpr",\n  "version": "{version()}",', 1)
-
-
 def make(folder, builds):
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(HERE / "src", folder / "src", ignore=LEFT_OUT)
-    (folder / "package.json").write_text(described(), encoding="utf-8")
     (folder / "THIRD-PARTY-NOTICES.md").write_text(notices(NOTICES), encoding="utf-8")
-    for path in (HERE / "README.md", ROOT / "LICENSE"):
+    for path in (HERE / "package.json", HERE / "README.md", ROOT / "LICENSE"):
         shutil.copy(path, folder)
     for name, build in builds.items():
         target = folder / name
