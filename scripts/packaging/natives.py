@@ -11,6 +11,7 @@ import check_native
 from common import PLATFORMS, ROOT, Native, Platform, Release, run
 
 GLIBC = "2.17"  # the oldest one that the libraries for Linux run with
+FOLDER = ROOT / "build" / "natives"  # the install trees; test_release.py reads them
 STRIP = {"linux-x64": "strip", "linux-arm64": "aarch64-linux-gnu-strip", "win-x64": "x86_64-w64-mingw32-strip"}
 
 
@@ -35,7 +36,8 @@ def configure(platform: Platform, build: Path, zig: Path) -> None:
 
 def build_native(release: Release, platform: Platform, zig: Path) -> Native:
     build = ROOT / "build" / platform.rid
-    folder = release.scratch(f"natives/{platform.rid}")
+    folder = FOLDER / platform.rid
+    shutil.rmtree(folder, ignore_errors=True)
     configure(platform, build, zig)
     # CMake names the compiler's kind to ccache, which does not know it by the name of Zig's program.
     kind = {} if platform.rid == "win-x64" else {"CCACHE_COMPILERTYPE": "clang", "CCACHE_COMPILERCHECK": "content"}
@@ -53,11 +55,3 @@ def make(release: Release, rids: List[str], zig: Path) -> None:
     """Build the libraries of these platforms and enter them into the release."""
     for rid in rids:
         release.natives[rid] = build_native(release, PLATFORMS[rid], zig)
-
-
-def load(release: Release) -> None:
-    """Enter the libraries that an earlier run has built."""
-    for rid, platform in PLATFORMS.items():
-        folder = release.work / "natives" / rid
-        if folder.is_dir():
-            release.natives[rid] = installed(folder, platform)

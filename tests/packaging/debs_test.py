@@ -62,9 +62,9 @@ class DebsTest(unittest.TestCase):
 
     def test_the_files_are_in_the_folders_of_the_processor(self) -> None:
         folder = self.folder / "root/usr/lib/x86_64-linux-gnu"
-        self.assertEqual((folder / "libhrbfnpr.so").resolve().name, "libhrbfnpr.so.1.0.1.0")
+        self.assertEqual((folder / "libhrbfnpr.so").resolve().name, "libhrbfnpr.so.1.2.3.4")
         self.assertTrue((folder / "libhrbfnpr.so.1").resolve().is_file())
-        self.assertIn("${_IMPORT_PREFIX}/lib/x86_64-linux-gnu/libhrbfnpr.so.1.0.1.0",
+        self.assertIn("${_IMPORT_PREFIX}/lib/x86_64-linux-gnu/libhrbfnpr.so.1.2.3.4",
                       self.text("root/usr/lib/x86_64-linux-gnu/cmake/hrbfnpr/hrbfnprTargets-release.cmake"))
         self.assertEqual(self.text("root/usr/lib/x86_64-linux-gnu/pkgconfig/hrbfnpr.pc"),
                          "prefix=/usr\nlibdir=${prefix}/lib/x86_64-linux-gnu\nincludedir=${prefix}/include\n")

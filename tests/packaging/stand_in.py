@@ -17,7 +17,7 @@ SKIPPED = 77  # CTest's SKIP_RETURN_CODE
 CMAKE_FILES = {
     "hrbfnprConfig.cmake": 'set(PACKAGE_PREFIX_DIR "${CMAKE_CURRENT_LIST_DIR}/../../../")\n',
     "hrbfnprTargets.cmake": 'get_filename_component(_IMPORT_PREFIX "${CMAKE_CURRENT_LIST_FILE}" PATH)\n',
-    "hrbfnprTargets-release.cmake": 'IMPORTED_LOCATION_RELEASE "${_IMPORT_PREFIX}/lib/libhrbfnpr.so.1.0.1.0"\n',
+    "hrbfnprTargets-release.cmake": 'IMPORTED_LOCATION_RELEASE "${_IMPORT_PREFIX}/lib/libhrbfnpr.so.1.2.3.4"\n',
 }
 PKG_CONFIG_FILE = "prefix=${pcfiledir}/../..\nlibdir=${prefix}/lib\nincludedir=${prefix}/include\n"
 
@@ -26,7 +26,7 @@ def native(rid: str, folder: Path) -> Native:
     """Write an install tree.  Its library is a small program of this system."""
     platform = PLATFORMS[rid]
     windows = rid.startswith("win")
-    library = folder / ("bin" if windows else "lib") / (platform.library + ("" if windows else ".1.0.1.0"))
+    library = folder / ("bin" if windows else "lib") / (platform.library + ("" if windows else ".1.2.3.4"))
     for part in ("bin", "include", "lib/cmake/hrbfnpr", "lib/pkgconfig", "share/hrbfnpr", "share/doc/hrbfnpr"):
         (folder / part).mkdir(parents=True)
     shutil.copy(str(shutil.which("true")), library)
