@@ -7,9 +7,11 @@ import re
 
 from outputs import ROOT
 
-# Each pattern matches the one line of its file that has the version, from its beginning to the version.
+# Each pattern matches the lines of its file that have the version, from the beginning to the version.
 LINES = {
     "CITATION.cff": r"^version: ",
+    "README.md": r'^pip install "hrbfnpr-',
+    "docs/python.md": r'^pip install "hrbfnpr-',
     "bindings/csharp/Unity/package.json": r'^  "version": "',
     "bindings/js/package.json": r'^  "version": "',
     "bindings/rust/hrbfnpr-sys/Cargo.toml": r'^version = "',
@@ -18,9 +20,9 @@ LINES = {
 
 def with_version(name, text, version):
     """Return the text of a file with this version."""
-    changed, count = re.subn(rf"({LINES[name]})[^\s\"]+", rf"\g<1>{version}", text, flags=re.MULTILINE)
-    if count != 1:
-        raise SystemExit(f"{name} has {count} lines that match {LINES[name]}; there must be one")
+    changed, count = re.subn(rf"({LINES[name]})\d+\.\d+\.\d+", rf"\g<1>{version}", text, flags=re.MULTILINE)
+    if count == 0:
+        raise SystemExit(f"{name} has no line that matches {LINES[name]}")
     return changed
 
 

@@ -82,7 +82,7 @@ LONGEST_FILE = 900
 # The only files that contain the version as text: bindings/generate writes it, or the file tells the history.
 WITH_VERSION = {
     "CITATION.cff", "bindings/api.json", "bindings/csharp/Unity/package.json", "bindings/js/package.json",
-    "bindings/rust/hrbfnpr-sys/Cargo.toml",
+    "bindings/rust/hrbfnpr-sys/Cargo.toml", "README.md", "docs/python.md",
     "CHANGELOG.md", "docs/file-format.md", "tests/io/golden_test.cpp",
 }  # fmt: skip
 TEXTS = {

@@ -32,7 +32,7 @@ def make(folder, umask):
     try:
         for rid in RIDS:
             platform = common.PLATFORMS[rid]
-            library = folder / rid / platform.library.replace(".so", ".so.1.0.1.0")
+            library = folder / rid / platform.library.replace(".so", ".so.1.2.3.4")
             library.parent.mkdir(parents=True)
             library.write_text(rid)
             release.natives[rid] = common.Native(platform, library.parent, library)

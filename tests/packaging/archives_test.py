@@ -70,7 +70,7 @@ class ArchivesTest(unittest.TestCase):
             self.assertEqual([entry.removeprefix(f"{name}/") for entry in archive.getnames()], [
                 "LICENSE", "README.txt", "THIRD-PARTY-NOTICES.md", "include/hrbfnpr.h",
                 *(f"lib/cmake/hrbfnpr/{file}" for file in sorted(stand_in.CMAKE_FILES)),
-                "lib/libhrbfnpr.so", "lib/libhrbfnpr.so.1", "lib/libhrbfnpr.so.1.0.1.0", "lib/pkgconfig/hrbfnpr.pc",
+                "lib/libhrbfnpr.so", "lib/libhrbfnpr.so.1", "lib/libhrbfnpr.so.1.2.3.4", "lib/pkgconfig/hrbfnpr.pc",
                 "share/hrbfnpr/api.json"])
         with zipfile.ZipFile(windows) as archive:
             name = f"hrbfnpr-{self.version}-win-x64"
