@@ -150,7 +150,7 @@ class System:
         print(f"{self.name}# {shlex.join(command)}", flush=True)
         values = {**INSIDE, **{name: os.environ[name] for name in PASSED if name in os.environ}, **environment}
         return execute(
-            *(("taskset", "-c", "0") if self.emulator else ()), *NAMESPACES, "sh", "-c", ENTER, "enter", self.lower, self.work / "changes", self.work / "scratch", self.merged,
+            *(("taskset", "-c", str(max(os.sched_getaffinity(0)))) if self.emulator else ()), *NAMESPACES, "sh", "-c", ENTER, "enter", self.lower, self.work / "changes", self.work / "scratch", self.merged,
             self.exchange, *self.emulator, "/usr/bin/env", "-i", "--chdir=/trial",
             *(f"{name}={value}" for name, value in values.items()), *self.emulator, *command, title=shlex.join(command))
 
