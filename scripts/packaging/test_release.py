@@ -18,6 +18,7 @@ import traceback
 from pathlib import Path
 from typing import Any, Dict, List
 
+import natives
 from common import PLATFORMS, ROOT, Native, Release, source_date, version
 from rows import LONG, Row, report, status
 
@@ -27,23 +28,17 @@ HERE = Path(__file__).resolve().parent
 def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("dist", type=Path, metavar="DIST", help="folder with the packages")
-    parser.add_argument("--natives", type=Path, default=ROOT / "build" / "natives", metavar="FOLDER",
+    parser.add_argument("--natives", type=Path, default=ROOT / "build" / "release-work" / "natives", metavar="FOLDER",
                         help="folder with the installed libraries, one folder for each platform")
     parser.add_argument("--only", nargs="+", default=[], metavar="MODULE", help="run only these trials, such as wheels")
     parser.add_argument("--long", action="store_true", help="also run trials that compile the library")
     return parser.parse_args()
 
 
-def natives(folder: Path) -> Dict[str, Native]:
-    """Return the libraries in the trees that `cmake --install` made, FOLDER/RID."""
-    built = {}
-    for rid, platform in PLATFORMS.items():
-        stem, suffix = platform.library.split(".")
-        libraries = [path for path in sorted((folder / rid).glob(f"*/{stem}*.{suffix}*"))
-                     if not path.is_symlink() and path.suffix != ".a"]
-        if libraries:
-            built[rid] = Native(platform, folder / rid, libraries[0])
-    return built
+def libraries(folder: Path) -> Dict[str, Native]:
+    """Return the libraries that scripts/release has built, FOLDER/RID."""
+    return {rid: natives.installed(folder / rid, platform) for rid, platform in PLATFORMS.items()
+            if (folder / rid).is_dir()}
 
 
 def module_names(only: List[str]) -> List[str]:
@@ -74,7 +69,7 @@ def main() -> int:
         os.environ[LONG] = "1"
     work = ROOT / "build" / "release-test"
     work.mkdir(parents=True, exist_ok=True)
-    release = Release(version(), source_date(), options.dist.resolve(), work, natives(options.natives))
+    release = Release(version(), source_date(), options.dist.resolve(), work, libraries(options.natives))
     rows = [row for name in module_names(options.only) for row in rows_of(name, release)]
     text = report(rows)
     (ROOT / "build" / "release-test.md").write_text(text, encoding="utf-8")

@@ -51,16 +51,13 @@ class Natives(unittest.TestCase):
     def test_the_library_is_the_file_and_not_a_link(self):
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
-            for file in ("linux-x64/lib/libhrbfnpr.so.1.0", "win-x64/bin/libhrbfnpr.dll", "win-x64/lib/libhrbfnpr.dll.a",
-                         "osx-arm64/lib/libhrbfnpr.1.0.dylib"):
+            for file in ("linux-x64/lib/libhrbfnpr.so.1.0", "win-x64/bin/libhrbfnpr.dll", "win-x64/lib/libhrbfnpr.dll.a"):
                 (folder / file).parent.mkdir(parents=True, exist_ok=True)
                 (folder / file).touch()
             (folder / "linux-x64/lib/libhrbfnpr.so").symlink_to("libhrbfnpr.so.1.0")
-            (folder / "osx-arm64/lib/libhrbfnpr.dylib").symlink_to("libhrbfnpr.1.0.dylib")
-            found = test_release.natives(folder)
+            found = test_release.libraries(folder)
             self.assertEqual({rid: native.library.name for rid, native in found.items()},
-                             {"linux-x64": "libhrbfnpr.so.1.0", "win-x64": "libhrbfnpr.dll",
-                              "osx-arm64": "libhrbfnpr.1.0.dylib"})
+                             {"linux-x64": "libhrbfnpr.so.1.0", "win-x64": "libhrbfnpr.dll"})
             self.assertEqual(found["linux-x64"].platform, PLATFORMS["linux-x64"])
             self.assertEqual(found["linux-x64"].folder, folder / "linux-x64")
 
