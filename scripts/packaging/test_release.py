@@ -28,7 +28,7 @@ HERE = Path(__file__).resolve().parent
 def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("dist", type=Path, metavar="DIST", help="folder with the packages")
-    parser.add_argument("--natives", type=Path, default=ROOT / "build" / "release-work" / "natives", metavar="FOLDER",
+    parser.add_argument("--natives", type=Path, default=natives.FOLDER, metavar="FOLDER",
                         help="folder with the installed libraries, one folder for each platform")
     parser.add_argument("--only", nargs="+", default=[], metavar="MODULE", help="run only these trials, such as wheels")
     parser.add_argument("--long", action="store_true", help="also run trials that compile the library")
