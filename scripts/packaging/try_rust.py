@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""Unpack the crate hrbfnpr-sys, and draw with it in a new cargo project that links the library for Linux x86-64."""
+"""Unpack the crate hrbfnpr-sys, and draw with it in a new cargo project: on this machine, and for Windows under Wine."""
 from __future__ import annotations
 
-import os
 import shutil
-import subprocess
 import tarfile
 from pathlib import Path
 from typing import List
 
-from common import Native, Release
+from common import PathLike, Release
+from crates import cargo
+from roots import attempt_row, execute, refuse, require
 from rows import Row
 from scene import SAMPLES, picture_hash
 
 PROGRAM = Path(__file__).resolve().with_name("scene.rs")
+WINDOWS = "x86_64-pc-windows-gnu"
+MINGW = "x86_64-w64-mingw32-gcc"
 MANIFEST = """[package]
 name = "scene"
 version = "0.0.0"
@@ -26,36 +28,61 @@ hrbfnpr-sys = {{ path = "{crate}" }}
 
 def attempt(release: Release) -> List[Row]:
     package = release.dist / f"hrbfnpr-sys-{release.version}.crate"
-    native = release.natives.get("linux-x64")
-    if not package.is_file() or native is None or shutil.which("cargo") is None:
-        missing = package.name if not package.is_file() else "library for linux-x64" if native is None else "cargo"
-        return [Row(package.name, "cargo", f"not run: there is no {missing}")]
-    folder = release.scratch("rust")
-    where = " ".join(subprocess.check_output(["cargo", "--version"], text=True).split()[:2])
-    new_project(folder, package)
-    return [drawn(folder, native, Row(package.name, where))]
+    return [attempt_row(package.name, "cargo", lambda: on_linux(release, package)),
+            attempt_row(package.name, "cargo, win-x64, Wine", lambda: on_windows(release, package))]
 
 
-def new_project(folder: Path, package: Path) -> None:
+def on_linux(release: Release, package: Path) -> str:
+    refuse("" if shutil.which(cargo()) else "needs cargo")
+    libraries = library_folder(release, "linux-x64", "libhrbfnpr.so")
+    folder = new_project(release.scratch("rust"), package)
+    program = built(folder, libraries) / "scene"
+    return drawn(folder, "env", f"LD_LIBRARY_PATH={libraries}", program)
+
+
+def on_windows(release: Release, package: Path) -> str:
+    """Link the import library, and run the program beside the DLL under Wine."""
+    needed = {"wine": "wine", cargo(): "cargo", MINGW: "gcc-mingw-w64-x86-64-posix"}
+    missing = [name for program, name in needed.items() if not shutil.which(program)]
+    if not Path("/usr/lib/rustlib", WINDOWS).is_dir():
+        missing.append("libstd-rust-dev-windows")
+    refuse(f"needs {', '.join(missing)}" if missing else "")
+    libraries = library_folder(release, "win-x64", "libhrbfnpr.dll.a")
+    folder = new_project(release.scratch("rust-windows"), package)
+    output = built(folder, libraries, "--target", WINDOWS, "--config", f"target.{WINDOWS}.linker='{MINGW}'")
+    shutil.copy(library_folder(release, "win-x64", "libhrbfnpr.dll") / "libhrbfnpr.dll", output)
+    return drawn(folder, "env", f"WINEPREFIX={folder / 'wine'}", "WINEDEBUG=-all", "WINEDLLOVERRIDES=mscoree,mshtml=",
+                 "wine", output / "scene.exe")
+
+
+def library_folder(release: Release, rid: str, name: str) -> Path:
+    """Return the folder of the installed tree that has this file."""
+    native = release.natives.get(rid)
+    found = sorted(native.folder.rglob(name)) if native else []
+    refuse("" if found else f"needs {name} of {rid}")
+    return found[0].parent.resolve()
+
+
+def new_project(folder: Path, package: Path) -> Path:
+    require(package)
     with tarfile.open(package) as archive:
         archive.extractall(folder)
-    (folder / "scene" / "src").mkdir(parents=True)
-    shutil.copyfile(PROGRAM, folder / "scene" / "src" / "main.rs")
-    (folder / "scene" / "Cargo.toml").write_text(MANIFEST.format(crate=f"../{package.stem}"), encoding="utf-8")
+    project = folder / "scene"
+    (project / "src").mkdir(parents=True)
+    shutil.copyfile(PROGRAM, project / "src" / "main.rs")
+    (project / "Cargo.toml").write_text(MANIFEST.format(crate=f"../{package.stem}"), encoding="utf-8")
+    return project
 
 
-def drawn(folder: Path, native: Native, row: Row) -> Row:
-    libraries = str(library_folder(native))
-    environment = {**os.environ, "HRBFNPR_LIB_DIR": libraries, "LD_LIBRARY_PATH": libraries}
-    picture = folder / "picture.rgba"
-    result = subprocess.run(["cargo", "run", "--offline", "--quiet", "--", str(SAMPLES), str(picture)],
-                            cwd=folder / "scene", env=environment, text=True, stdout=subprocess.PIPE,
-                            stderr=subprocess.STDOUT)
-    if result.returncode != 0:
-        return Row(row.package, row.where, f"failed: {result.stdout}")
-    return Row(row.package, row.where, "ok", picture_hash(picture))
+def built(project: Path, libraries: Path, *options: str) -> Path:
+    """Build the program with the compiler beside cargo, and return the folder that it is in."""
+    compiler = Path(shutil.which(cargo()) or "").with_name("rustc")
+    execute("env", f"RUSTC={compiler}", f"HRBFNPR_LIB_DIR={libraries}", cargo(), "build", "--offline", "--quiet",
+            "--manifest-path", project / "Cargo.toml", "--target-dir", project / "target", *options)
+    return next((project / "target").rglob("debug/scene*.d")).parent
 
 
-def library_folder(native: Native) -> Path:
-    """Return the folder where the installed tree has the link libhrbfnpr.so, which the linker looks for."""
-    return next(native.folder.rglob(native.platform.library)).parent
+def drawn(project: Path, *program: PathLike) -> str:
+    picture = project / "picture.rgba"
+    execute(*program, SAMPLES, picture)
+    return picture_hash(picture)
