@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Small Debian systems in folders, in which the packages are installed as a user would.
 
-debootstrap makes each system once, in .cache/roots or the folder that HRBFNPR_ROOTS names.  A trial sees a system through
-an overlay, so that the next trial finds it unchanged.  Each command runs in mount and process namespaces of its own; its
-mounts and its processes end with it, also if it is killed.
+debootstrap makes each system once, in .cache/roots or the folder that HRBFNPR_ROOTS names.  Delete the folder to make
+them anew.  A trial sees a system through an overlay, so that the next trial finds it unchanged.  Each command runs in
+mount and process namespaces of its own; its mounts and its processes end with it, also if it is killed.
 """
 from __future__ import annotations
 
@@ -149,9 +149,10 @@ class System:
         """Run a command in /trial of the system and return what it prints.  Raises Failed."""
         print(f"{self.name}# {shlex.join(command)}", flush=True)
         values = {**INSIDE, **{name: os.environ[name] for name in PASSED if name in os.environ}, **environment}
+        one_processor = ("taskset", "-c", str(max(os.sched_getaffinity(0)))) if self.emulator else ()
         return execute(
-            *(("taskset", "-c", str(max(os.sched_getaffinity(0)))) if self.emulator else ()), *NAMESPACES, "sh", "-c", ENTER, "enter", self.lower, self.work / "changes", self.work / "scratch", self.merged,
-            self.exchange, *self.emulator, "/usr/bin/env", "-i", "--chdir=/trial",
+            *one_processor, *NAMESPACES, "sh", "-c", ENTER, "enter", self.lower, self.work / "changes",
+            self.work / "scratch", self.merged, self.exchange, *self.emulator, "/usr/bin/env", "-i", "--chdir=/trial",
             *(f"{name}={value}" for name, value in values.items()), *self.emulator, *command, title=shlex.join(command))
 
     def install(self, *packages: str) -> None:
@@ -230,10 +231,13 @@ def base(suite: str) -> Path:
         with folder_for_work() as work:
             system = System(suite, part, work)
             system.run("apt-get", "-q", "update")
-            system.run("apt-get", "-q", "-y", "--no-install-recommends", "--download-only", "install", *PYTHON, *PICTURES,
-                       *COMPILER)
+            system.install("--download-only", *PYTHON, *PICTURES, *COMPILER)
         part.rename(folder)
     return folder
+
+
+# Unpacks a Debian package into a system. /lib and the like stay links to folders.
+UNPACK = 'dpkg-deb --fsys-tarfile "$1" | tar -xC "$2" --keep-directory-symlink'
 
 
 def arm64_base() -> Path:
@@ -246,7 +250,7 @@ def arm64_base() -> Path:
         packages = ",".join(("python3", "python3-pip-whl", *PYTHON[1:]))
         debootstrap("bookworm", part, "--foreign", "--arch=arm64", f"--include={packages}")
         for package in sorted((part / "var/cache/apt/archives").glob("*.deb")):
-            execute("sh", "-c", 'dpkg-deb --fsys-tarfile "$1" | tar -xC "$2" --keep-directory-symlink', "unpack", package, part)
+            execute("sh", "-c", UNPACK, "unpack", package, part)
         shutil.copy2(str(shutil.which(EMULATOR)), part / "usr/bin")
         part.rename(folder)
     return folder
@@ -254,7 +258,7 @@ def arm64_base() -> Path:
 
 @contextmanager
 def fresh(suite: str) -> Iterator[System]:
-    """Yield a bare system of a suite of Debian.  Changes are deleted at the end.  Raises NotRun if it cannot be entered."""
+    """Yield a bare system, and delete its changes at the end.  Raises NotRun if it cannot be entered."""
     refuse(refusal())
     with trial(suite, base(suite)) as system:
         yield system

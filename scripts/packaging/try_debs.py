@@ -68,7 +68,8 @@ def by_python(system: System, python: Path) -> str:
     system.run("hrbfnpr", "draw", *system.put(scene.SAMPLES), "hrbfnpr.png", *scene.COMMAND_OPTIONS)
     if scene.picture_hash(system.exchange / "hrbfnpr.png") != picture:
         raise Failed("the command hrbfnpr draws another picture than the module")
-    system.run("python3", "-c", "import hrbfnpr; hrbfnpr.draw", PYTHONDONTWRITEBYTECODE="")  # as root would, with caches
+    # A user with PYTHONDONTWRITEBYTECODE unset leaves caches, which must be removed, too.
+    system.run("python3", "-c", "import hrbfnpr; hrbfnpr.draw", PYTHONDONTWRITEBYTECODE="")
     remove_all(system)
     return picture
 

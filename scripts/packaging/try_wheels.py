@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import shutil
 import zipfile
+from functools import partial
 from pathlib import Path
 from typing import List
 
@@ -24,8 +25,9 @@ VENV = "/trial/venv/bin/python3"
 def attempt(release: Release) -> List[Row]:
     wheels = {rid: found(release.dist, f"*{platform.wheel_tag}.whl") for rid, platform in PLATFORMS.items()}
     rows = [row for suite in roots.SUITES for row in on_bare_system(suite, wheels["linux-x64"])]
-    rows.append(attempt_row(wheels["linux-arm64"].name, "bookworm arm64, qemu, no NumPy", lambda: arm64(wheels["linux-arm64"])))
-    rows.append(attempt_row(wheels["win-x64"].name, "its DLL, Wine", lambda: windows(release, wheels["win-x64"])))
+    for rid, where, draw in (("linux-arm64", "bookworm arm64, qemu, no NumPy", arm64),
+                             ("win-x64", "its DLL, Wine", partial(windows, release))):
+        rows.append(attempt_row(wheels[rid].name, where, partial(draw, wheels[rid])))
     rows.append(Row(wheels["osx-arm64"].name, "macOS", "not run: no macOS here"))
     source = found(release.dist, f"hrbfnpr-{release.version}.tar.gz")
     if not long_trials():
