@@ -252,6 +252,9 @@ def arm64_base() -> Path:
         for package in sorted((part / "var/cache/apt/archives").glob("*.deb")):
             execute("sh", "-c", UNPACK, "unpack", package, part)
         shutil.copy2(str(shutil.which(EMULATOR)), part / "usr/bin")
+        if (part / "proc").is_symlink():  # debootstrap makes one to /proc if it runs in a container
+            (part / "proc").unlink()
+            (part / "proc").mkdir()
         part.rename(folder)
     return folder
 
