@@ -17,16 +17,16 @@ endif()
 
 # CMake and compiler caches expect a compiler to be one program.
 set(wrappers "${CMAKE_BINARY_DIR}/zig")
-if(NOT EXISTS "${wrappers}/c++")
-  foreach(tool IN ITEMS cc c++)
-    file(WRITE "${wrappers}/${tool}" "#!/bin/sh\nexec '${HRBFNPR_ZIG}' ${tool} -target ${HRBFNPR_ZIG_TARGET} \"$@\"\n")
-  endforeach()
-  foreach(tool IN ITEMS ar ranlib)
-    file(WRITE "${wrappers}/${tool}" "#!/bin/sh\nexec '${HRBFNPR_ZIG}' ${tool} \"$@\"\n")
-  endforeach()
-  file(CHMOD "${wrappers}/cc" "${wrappers}/c++" "${wrappers}/ar" "${wrappers}/ranlib"
+foreach(tool IN ITEMS cc c++ ar ranlib)
+  set(options "")
+  if(tool MATCHES "^c")
+    set(options "-target ${HRBFNPR_ZIG_TARGET} ")
+  endif()
+  file(CONFIGURE OUTPUT "${wrappers}/${tool}" @ONLY
+    CONTENT "#!/bin/sh\nexec '${HRBFNPR_ZIG}' ${tool} ${options}\"\$@\"\n")
+  file(CHMOD "${wrappers}/${tool}"
     PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-endif()
+endforeach()
 set(CMAKE_C_COMPILER "${wrappers}/cc")
 set(CMAKE_CXX_COMPILER "${wrappers}/c++")
 set(CMAKE_AR "${wrappers}/ar" CACHE FILEPATH "")
