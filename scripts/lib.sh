@@ -39,7 +39,7 @@ package_set() {
     browser) echo chromium node-typescript ;;
     release) echo g++-mingw-w64-x86-64-posix binutils-aarch64-linux-gnu lld-14 llvm-14 dpkg-dev python3-setuptools \
       python3-wheel python3-pip ;;
-    release_test) echo wine wine64 g++-aarch64-linux-gnu qemu-user-static debootstrap lintian ;;
+    release_test) echo wine wine64 libstd-rust-dev-windows g++-aarch64-linux-gnu qemu-user-static debootstrap lintian ;;
     lint) echo clang-format-14 clang-tidy-14 libomp-14-dev nodejs python3-yaml shellcheck ;;
     *) die "there is no package set '$1'" ;;
   esac
