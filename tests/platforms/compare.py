@@ -4,9 +4,10 @@
 
     compare.py TEST COMMAND...
 
-The lines of expected.txt are `TEST LINE`.  A program must print these lines, and a last line `files` with a hash of each
-file that it writes.  Lines `TEST ~ LINE` may differ, because the platform's compiler and mathematical functions decide the
-last bits of these pictures; they are compared without their hashes.  docs/accuracy.md names the styles.
+The lines of expected.txt are `TEST LINE`.  A program must print these lines, and a line with a hash for each
+file that it writes.  Lines `TEST ~ LINE` may differ, and are compared without their hashes: the quick starts take their
+samples from the platform's sin and cos, caller uses the best instruction set of the processor, and compilers round one
+number of the style hatch differently.
 """
 import hashlib
 import re
