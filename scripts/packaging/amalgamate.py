@@ -60,7 +60,7 @@ def is_repeated(path: Path) -> bool:
 
 
 def lines_of(path: Path) -> Iterator[Tuple[int, str]]:
-    """Yield the lines of a file, each with the number of conditions (#if) around it.  Toggles of headers do not count."""
+    """Yield the lines of a file, each with the number of conditions (#if) around it, except the toggle of a header."""
     depth = 0
     lines = path.read_text(encoding="utf-8").split("\n")
     toggled = any(line.startswith("#if defined(") and line.endswith("== defined(HWY_TARGET_TOGGLE)") for line in lines)
@@ -77,7 +77,7 @@ def lines_of(path: Path) -> Iterator[Tuple[int, str]]:
 class Parts:
     """The parts of hrbfnpr.cpp while files are added to them."""
 
-    system: Set[str] = field(default_factory=set)  # names of system and third-party headers that are included at the top
+    system: Set[str] = field(default_factory=set)  # names of headers of others that are included at the top
     headers: List[str] = field(default_factory=list)
     loops: List[str] = field(default_factory=list)
     rest: List[str] = field(default_factory=list)

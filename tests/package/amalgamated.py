@@ -81,8 +81,8 @@ def picture(work, name, cc, *linked):
 def program(work, cxx, cc, library):
     amalgamate.write_folder(work)
     cache = ["ccache"] if shutil.which("ccache") else []
-    compiled = run(*cache, cxx, "-std=c++20", OPTIMIZATION, "-Wall", "-Wextra", "-isystem", "third_party", "-DHRBFNPR_STATIC",
-                   "-c", "hrbfnpr.cpp", cwd=work)
+    compiled = run(*cache, cxx, "-std=c++20", OPTIMIZATION, "-Wall", "-Wextra", "-isystem", "third_party",
+                   "-DHRBFNPR_STATIC", "-c", "hrbfnpr.cpp", cwd=work)
     expect("warning" not in compiled, "the compiler warned")
     inside = picture(work, "inside", cc, "hrbfnpr.o", "-lstdc++", "-lm", "-pthread", "-ldl")
     shared = picture(work, "shared", cc, library, f"-Wl,-rpath,{Path(library).parent}")
