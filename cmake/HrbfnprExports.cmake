@@ -35,7 +35,8 @@ function(hrbfnpr_prepare_dll target)
   if(NOT MINGW)
     return()
   endif()
-  target_link_options(${target} PRIVATE -static "LINKER:--no-insert-timestamp" "LINKER:--output-def,${CMAKE_CURRENT_BINARY_DIR}/hrbfnpr.def")
+  target_link_options(${target} PRIVATE -static "LINKER:--no-insert-timestamp" "LINKER:--output-def,${CMAKE_CURRENT_BINARY_DIR}/hrbfnpr.def"
+    $<$<CONFIG:Release>:-s>) # strip would insert a time
   find_program(HRBFNPR_DLLTOOL NAMES llvm-dlltool llvm-dlltool-14 llvm-dlltool-15 llvm-dlltool-16 NO_CMAKE_FIND_ROOT_PATH)
   mark_as_advanced(HRBFNPR_DLLTOOL)
   if(NOT HRBFNPR_DLLTOOL)

@@ -12,7 +12,7 @@ from common import PLATFORMS, ROOT, Native, Platform, Release, run
 
 GLIBC = "2.17"  # the oldest one that the libraries for Linux run with
 FOLDER = ROOT / "build" / "natives"  # the install trees; test_release.py reads them
-STRIP = {"linux-x64": "strip", "linux-arm64": "aarch64-linux-gnu-strip", "win-x64": "x86_64-w64-mingw32-strip"}
+STRIP = {"linux-x64": "strip", "linux-arm64": "aarch64-linux-gnu-strip"}
 
 
 def library_file(folder: Path, platform: Platform) -> Path:
@@ -45,7 +45,7 @@ def build_native(release: Release, platform: Platform, zig: Path) -> Native:
     run("cmake", "--build", build, f"-j{os.cpu_count()}", env=environment)
     run("cmake", "--install", build, "--prefix", folder)
     native = installed(folder, platform)
-    if platform.rid in STRIP:  # that of macOS is signed, and was linked without symbols
+    if platform.rid in STRIP:  # the others were linked without symbols
         run(STRIP[platform.rid], "--strip-unneeded", native.library)
     check_native.check(native.library, GLIBC)
     return native
