@@ -1516,7 +1516,7 @@ typedef struct hrbfnpr_generate_desc {
     hrbfnpr_array seed_points; /* n x 3, FLOAT32 or FLOAT64: the seeds of POINTS, within 1e4 diagonals of the bounds */
     double box_jitter;       /* alpha: largest random shift of the grid points of BOX, in cell sides; 0 to 0.5; default
                                 0.25 */
-    uint32_t box_resolution; /* R: number of cells of BOX along the longest side of the bounds; 1 to 256; default 8
+    uint32_t box_resolution; /* R: number of cells of BOX on the largest side of the bounds; 1 to 256; default 8
                                 [NPAR 4.2].  More cells give more seeds and miss fewer sheets.  BLUE_NOISE with
                                 seed_source AUTO uses at least 16 */
     uint32_t reserved;
@@ -2060,7 +2060,7 @@ typedef struct hrbfnpr_layer_style {
     float hatch_taper;          /* length over which a line narrows where its tone ends, in pixels; 0 .. 16384; default
                                    20.  Where it ends for another reason, it narrows over a shorter length */
     float hatch_shortest;       /* length below which a piece of a line is not drawn, in pixels; 0 .. 16384; default 10.
-                                   Pieces up to twice as long are thinner */
+                                   Pieces up to twice this length are thinner */
     uint32_t reserved2;
     float hatch_wobble;         /* how far a line strays to either side, as if drawn by an unsteady hand, in multiples
                                    of hatch_pen; 0 .. 16; default 0.  A swing is about 60 hatch_pen long */

@@ -744,8 +744,8 @@ export interface GenerateDesc {
   /** alpha: largest random shift of the grid points of BOX, in cell sides; 0 to 0.5; default 0.25 */
   boxJitter?: number;
   /**
-   * R: number of cells of BOX along the longest side of the bounds; 1 to 256; default 8 [NPAR 4.2]. More cells
-   * give more seeds and miss fewer sheets. BLUE_NOISE with seed_source AUTO uses at least 16
+   * R: number of cells of BOX on the largest side of the bounds; 1 to 256; default 8 [NPAR 4.2]. More cells give
+   * more seeds and miss fewer sheets. BLUE_NOISE with seed_source AUTO uses at least 16
    */
   boxResolution?: number;
   /**
@@ -1052,8 +1052,8 @@ export interface LayerStyle {
    */
   hatchTaper?: number;
   /**
-   * length below which a piece of a line is not drawn, in pixels; 0 .. 16384; default 10. Pieces up to twice as
-   * long are thinner
+   * length below which a piece of a line is not drawn, in pixels; 0 .. 16384; default 10. Pieces up to twice this
+   * length are thinner
    */
   hatchShortest?: number;
   /**

@@ -2148,7 +2148,7 @@ pub struct hrbfnpr_generate_desc {
     pub seed_points: hrbfnpr_array,
     /// alpha: largest random shift of the grid points of BOX, in cell sides; 0 to 0.5; default 0.25
     pub box_jitter: f64,
-    /// R: number of cells of BOX along the longest side of the bounds; 1 to 256; default 8 [NPAR
+    /// R: number of cells of BOX on the largest side of the bounds; 1 to 256; default 8 [NPAR
     /// 4.2]. More cells give more seeds and miss fewer sheets. BLUE_NOISE with seed_source AUTO
     /// uses at least 16
     pub box_resolution: u32,
@@ -2956,7 +2956,7 @@ pub struct hrbfnpr_layer_style {
     /// Where it ends for another reason, it narrows over a shorter length
     pub hatch_taper: f32,
     /// length below which a piece of a line is not drawn, in pixels; 0 .. 16384; default 10.
-    /// Pieces up to twice as long are thinner
+    /// Pieces up to twice this length are thinner
     pub hatch_shortest: f32,
     pub reserved2: u32,
     /// how far a line strays to either side, as if drawn by an unsteady hand, in multiples of
