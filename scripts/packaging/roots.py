@@ -11,6 +11,7 @@ import os
 import re
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -18,7 +19,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Callable, Iterator, List, Sequence, Tuple
+from typing import Callable, Iterator, List, Mapping, Optional, Sequence, Tuple
 
 from common import ROOT, PathLike
 from rows import Row
@@ -86,19 +87,27 @@ def shorten(text: str, most: int = 100) -> str:
     return lines[-1][:most] if lines else "no message"
 
 
-def execute(*command: PathLike, title: str = "") -> str:
-    """Run a command and return what it prints.  Raises Failed with the title of the command and the end of that."""
+def execute(*command: PathLike, title: str = "", cwd: Optional[PathLike] = None,
+            env: Optional[Mapping[str, str]] = None) -> str:
+    """Run a command and return what it prints.  Raises Failed with the title of the command and the end of that.
+
+    Its children are killed with it if it hangs, or if the trial is interrupted.
+    """
     words = [str(word) for word in command]
     title = title or shlex.join(words)
-    try:
-        result = subprocess.run(words, text=True, errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                stderr=subprocess.STDOUT, timeout=PATIENCE)
-    except subprocess.TimeoutExpired:
-        raise Failed(f"{title} still ran after {PATIENCE} seconds") from None
-    if result.returncode != 0:
-        end = "\n".join(result.stdout.splitlines()[-30:])
-        raise Failed(f"{title} ended with {result.returncode}:\n{end}")
-    return result.stdout
+    with subprocess.Popen(words, cwd=cwd, env=env, text=True, errors="replace", stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True) as process:
+        try:
+            printed, _ = process.communicate(timeout=PATIENCE)
+        except BaseException as error:
+            os.killpg(process.pid, signal.SIGKILL)
+            if isinstance(error, subprocess.TimeoutExpired):
+                raise Failed(f"{title} still ran after {PATIENCE} seconds") from None
+            raise
+    if process.returncode != 0:
+        end = "\n".join(printed.splitlines()[-30:])
+        raise Failed(f"{title} ended with {process.returncode}:\n{end}")
+    return printed
 
 
 # Mounts an overlay of LOWER unless it is "", and all that a command needs, and runs the command in the folder MERGED.

@@ -5,13 +5,14 @@ from __future__ import annotations
 import shlex
 import shutil
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Iterator, List
 
 import roots
 import scene
 from common import ROOT, Release
-from roots import Failed, System, attempt_row, found, require
+from roots import Failed, NotRun, System, attempt_row, found, require
 from rows import Row
 from try_wheels import PYTHON, by_all_means, by_program, expect
 
@@ -24,7 +25,20 @@ def attempt(release: Release) -> List[Row]:
     library, python = found(release.dist, "libhrbfnpr[0-9]*_arm64.deb"), found(release.dist, "python3-hrbfnpr_*.deb")
     headers = found(release.dist, "libhrbfnpr-dev_*_arm64.deb")
     return [*rows, attempt_row(library.name, "bookworm arm64, qemu, python3", lambda: arm64(library, python)),
-            attempt_row(headers.name, "bookworm arm64, qemu, cross gcc", lambda: arm64_compiled(library, headers))]
+            attempt_row(headers.name, "bookworm arm64, qemu, cross gcc", lambda: arm64_compiled(library, headers)),
+            *linted(release.dist)]
+
+
+def linted(dist: Path) -> List[Row]:
+    """Return a row for each package, which fails if lintian finds an error or a warning.  It has no picture."""
+    return [attempt_row(package.name, "lintian", partial(lint, package)) for package in sorted(dist.glob("*.deb"))]
+
+
+def lint(package: Path) -> str:
+    if shutil.which("lintian") is None:
+        raise NotRun("needs lintian")
+    roots.execute("lintian", "--fail-on", "error,warning", package)
+    return ""
 
 
 def on_bare_system(dist: Path, suite: str) -> List[Row]:

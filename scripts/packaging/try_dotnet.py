@@ -10,14 +10,12 @@ from __future__ import annotations
 import os
 import platform
 import shutil
-import signal
-import subprocess
 from pathlib import Path
-from typing import Dict, List, Sequence
+from typing import List
 
-from common import ROOT, Release
+from common import ROOT, PathLike, Release
 from nuget import ENVIRONMENT, WITHOUT_SERVERS
-from roots import PATIENCE, Failed, NotRun, attempt_row, require
+from roots import Failed, NotRun, attempt_row, execute, require
 from rows import Row
 from scene import CSHARP_PROJECT, SAMPLES, picture_hash
 
@@ -104,8 +102,8 @@ class Trial:
         ):
             (project / name).write_text(text.lstrip(), encoding="utf-8")
 
-    def run(self, *command: object, **environment: str) -> str:
-        return execute(command, self.folder, {**self.environment, **environment})
+    def run(self, *command: PathLike, **environment: str) -> str:
+        return execute(*command, cwd=self.folder, env={**self.environment, **environment})
 
     def build(self, verb: str, out: str, *options: str) -> Path:
         """Build or publish the project and return the folder of the program."""
@@ -151,18 +149,3 @@ def need(program: str, package: str) -> None:
     if shutil.which(program) is None:
         raise NotRun(f"needs {package}")
 
-
-def execute(command: Sequence[object], folder: Path, environment: Dict[str, str]) -> str:
-    """Run a command and return what it prints, or raise Failed.  A hanging command is killed with its children."""
-    words = [str(word) for word in command]
-    print("+", *words, flush=True)
-    with subprocess.Popen(words, cwd=folder, env=environment, text=True, errors="replace", stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True) as process:
-        try:
-            printed, _ = process.communicate(timeout=PATIENCE)
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
-            raise Failed(f"{words[0]} still ran after {PATIENCE} seconds") from None
-    if process.returncode != 0:
-        raise Failed(f"{printed}\n{words[0]} ended with status {process.returncode}")
-    return printed
