@@ -286,22 +286,26 @@ void require_marks(base::List<GrowingLayer>& growing, marks::PointSet& set) {
 // Assembles the layers into the set. `area` is the area of the surface; 0: unknown.
 void assemble_layers(const marks::Site& site, base::List<GrowingLayer>& growing, double area, marks::PointSet& set) {
     base::Array<const geometry::VecArray*> positions(site.memory());
-    for (const GrowingLayer& layer : growing) positions.push_back(&layer.marks.position);
-    measure(site.work.part(0.95, 0.95), positions.span(), area, set);
-    std::int64_t largest = 0; // the number of marks of the largest layer
-    for (const GrowingLayer& layer : growing) largest = std::max(largest, layer.marks.count());
+    std::int64_t largest = 0; // the number of marks that the largest layer has on the whole surface
+    for (const GrowingLayer& layer : growing) {
+        positions.push_back(&layer.marks.position);
+        largest = std::max(largest, layer.marks.whole_count());
+    }
+    measure(site.work.part(0.95, 0.95), positions.span(), area, largest, set);
     for (GrowingLayer& layer : growing) {
         marks::Layer& to = set.layers[layer.place];
         const double length = layer.settings.tone_smoothing * site.implicit.diagonal();
         if (length > 0.0 && layer.marks.count() > 0) {
             const double known = area > 0.0 ? area : set.spacing * set.spacing * static_cast<double>(largest);
-            const double spacing = std::sqrt(known / static_cast<double>(layer.marks.count()));
+            const double spacing = std::sqrt(known / static_cast<double>(layer.marks.whole_count()));
             marks::average_normals(layer.site, layer.marks, length, spacing, to.tone_normal);
         }
         marks::AssembleSettings settings;
         settings.strokes = layer.settings.has_strokes();
         settings.with_curvature = !layer.marks.curvature.empty() || layer.settings.with_curvature;
         settings.part = layer.settings.part;
+        to.whole = layer.marks.whole;
+        if (to.whole > 0) to.report.full_count = to.whole;
         marks::assemble(layer.site.part(0.95, 1.0), layer.marks, settings, set.origin, to);
         layer.marks = marks::Marks(site.memory()); // free the memory of the marks in double precision
     }

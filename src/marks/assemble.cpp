@@ -95,7 +95,8 @@ void assemble(const Site& site, const Marks& marks, const AssembleSettings& sett
     site.work.update(1.0);
 }
 
-void measure(const base::Work& work, std::span<const geometry::VecArray* const> positions, double area, PointSet& set) {
+void measure(const base::Work& work, std::span<const geometry::VecArray* const> positions, double area,
+             std::int64_t whole, PointSet& set) {
     HRBFNPR_ASSERT(!positions.empty());
     const geometry::VecArray* largest = positions.front();
     for (const geometry::VecArray* layer : positions) {
@@ -104,7 +105,7 @@ void measure(const base::Work& work, std::span<const geometry::VecArray* const> 
     }
     if (set.bounds.empty()) return; // without marks, the origin and the spacing would be 0 / 0
     set.origin = set.bounds.centre();
-    set.spacing = area > 0.0 ? std::sqrt(area / static_cast<double>(largest->size())) : covered_spacing(work, *largest);
+    set.spacing = area > 0.0 ? std::sqrt(area / static_cast<double>(whole)) : covered_spacing(work, *largest);
 }
 
 NeighbourDistances neighbour_distances(const base::Work& work, const geometry::VecArray& points) {
@@ -388,6 +389,7 @@ geometry::VecArray read_layer(base::Memory& memory, const LayerArrays& arrays, s
 void copy(const Layer& from, Layer& to) {
     to.name = from.name;
     to.progressive = from.progressive;
+    to.whole = from.whole;
     copy_arrays(from, to, &Layer::position, &Layer::normal, &Layer::direction, &Layer::curvature, &Layer::rank,
                 &Layer::level, &Layer::stroke, &Layer::width, &Layer::tone_normal, &Layer::stroke_first,
                 &Layer::stroke_order);
@@ -419,7 +421,7 @@ void measure_all(const base::Runtime& runtime, const base::List<geometry::VecArr
     if (largest_before == 0) {
         base::Array<const geometry::VecArray*> all(runtime.memory);
         for (const geometry::VecArray& of_layer : positions) all.push_back(&of_layer);
-        return measure(runtime, all.span(), 0.0, set);
+        return measure(runtime, all.span(), 0.0, 0, set);
     }
     std::int64_t largest = largest_before;
     for (const geometry::VecArray& of_layer : positions) {

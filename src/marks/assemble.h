@@ -27,8 +27,10 @@ void assemble(const Site& site, const Marks& marks, const AssembleSettings& sett
               Layer& result);
 
 // Computes the bounds, origin and spacing of a set from its layers' positions before the layers are assembled. If
-// `area` is 0, it is estimated from the positions of the largest layer.
-void measure(const base::Work& work, std::span<const geometry::VecArray* const> positions, double area, PointSet& set);
+// `area` is 0, it is estimated from the positions of the largest layer. `whole` is the number of marks that the largest
+// layer has on the whole surface.
+void measure(const base::Work& work, std::span<const geometry::VecArray* const> positions, double area,
+             std::int64_t whole, PointSet& set);
 
 // Statistics of the distances from each point to its nearest other point.
 struct NeighbourDistances {

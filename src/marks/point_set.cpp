@@ -50,7 +50,7 @@ std::int64_t PointSet::count() const noexcept {
 
 std::int64_t PointSet::largest() const noexcept {
     std::int64_t most = 0;
-    for (const Layer& layer : layers) most = std::max(most, layer.count());
+    for (const Layer& layer : layers) most = std::max(most, layer.whole_count());
     return most;
 }
 

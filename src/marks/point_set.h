@@ -208,8 +208,13 @@ struct Layer {
     base::Array<std::uint32_t> stroke_order; // n numbers; empty if the marks are stored stroke by stroke
     MarkClusters clusters;                   // the clusters of the marks, which cluster_marks() makes
     LayerReport report;
+    // The number of marks that the whole surface would have, if only those that one camera needs were placed. 0: all
+    // were placed.
+    std::int64_t whole = 0;
 
     [[nodiscard]] std::int64_t count() const noexcept { return rank.size(); }
+    // Returns the number of marks on the whole surface. The tone follows from this number.
+    [[nodiscard]] std::int64_t whole_count() const noexcept { return whole > 0 ? whole : count(); }
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
     [[nodiscard]] bool has_strokes() const noexcept { return !stroke_first.empty(); }
@@ -239,8 +244,9 @@ struct PointSet {
     base::List<Layer> layers;
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
-    [[nodiscard]] std::int64_t count() const noexcept;   // the number of marks
-    [[nodiscard]] std::int64_t largest() const noexcept; // the number of marks in the largest layer
+    [[nodiscard]] std::int64_t count() const noexcept; // the number of marks
+    // Returns the number of marks that the largest layer has on the whole surface.
+    [[nodiscard]] std::int64_t largest() const noexcept;
 };
 
 // Fills stroke_first and stroke_order from `stroke`. Strokes are sorted by their numbers.

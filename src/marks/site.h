@@ -6,6 +6,7 @@
 #include "base/work.h"
 #include "geometry/vec_array.h"
 #include "implicit/implicit.h"
+#include "marks/need.h"
 #include "marks/point_set.h"
 #include "surface/project.h"
 
@@ -19,14 +20,15 @@ struct Site {
     const implicit::Implicit& implicit;
     double projection_tolerance; // in diagonals
     std::uint64_t random_seed;
-    double unit = 1.0; // the unit of all lengths in this struct, in the caller's units
+    double unit = 1.0;          // the unit of all lengths in this struct, in the caller's units
+    const Need* need = nullptr; // what the drawing of a still picture needs; null: all marks are needed
 
     [[nodiscard]] base::Memory& memory() const noexcept { return work.memory; }
     // Return the same site with a part of the work's progress, with no progress, or with the given progress.
     [[nodiscard]] Site part(double from, double to) const noexcept { return with(work.progress().part(from, to)); }
     [[nodiscard]] Site without_progress() const noexcept { return with(work.progress().without_progress()); }
     [[nodiscard]] Site with(const base::Progress& progress) const noexcept {
-        return {{work.runtime(), progress}, implicit, projection_tolerance, random_seed, unit};
+        return {{work.runtime(), progress}, implicit, projection_tolerance, random_seed, unit, need};
     }
 };
 
@@ -146,8 +148,11 @@ struct Marks {
     base::Array<std::uint8_t> level;
     base::Array<float> rank;  // if empty, assemble() makes the ranks; if not, the marks are in their final order
     base::Array<float> width; // empty if all are 1
+    // The number of marks that the whole surface would have, if only those of a `Need` were placed. 0: all were placed.
+    std::int64_t whole = 0;
 
     [[nodiscard]] std::int64_t count() const noexcept { return position.size(); }
+    [[nodiscard]] std::int64_t whole_count() const noexcept { return whole > 0 ? whole : count(); }
 };
 
 // Returns a curvature as a float, limited to the largest float.

@@ -275,7 +275,9 @@ struct VisibleCluster {
     const float pixels = run.discs.spacing * visible.view.pixels_per_unit / least_splat_spacing(visible);
     // The comparison is also true for NaN, which occurs if the spacing does not fit into a float.
     if (!(pixels < 1.0F)) return visible.cluster.count;
-    // The first marks of a cluster are spread as evenly as the first marks of the layer.
+    // The first marks of a cluster are spread as evenly as the first marks of the layer. If marks that a still picture
+    // does not need are missing, the ranks tell which are the first.
+    if (run.marks->whole > 0) return count_shown(visible, pixels * pixels);
     return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(visible.cluster.count)));
 }
 

@@ -142,7 +142,7 @@ bool has_surface(const marks::PointSet& set, const Style& style) noexcept {
 std::int64_t splat_layer(const marks::PointSet& set, const Style& style) {
     const bool any_surface = has_surface(set, style);
     const auto larger = [&](std::int64_t than, std::int64_t i) {
-        return than < 0 || set.layers[i].count() > set.layers[than].count() ? i : than;
+        return than < 0 || set.layers[i].whole_count() > set.layers[than].whole_count() ? i : than;
     };
     std::int64_t largest = -1;
     std::int64_t stipples = -1;
@@ -153,8 +153,8 @@ std::int64_t splat_layer(const marks::PointSet& set, const Style& style) {
         if (layer.kind == marks::Kind::stipples) stipples = larger(stipples, i);
     }
     if (stipples < 0) return largest;
-    const double enough = scene_tuning.enough_stipples * static_cast<double>(set.layers[largest].count());
-    return static_cast<double>(set.layers[stipples].count()) >= enough ? stipples : largest;
+    const double enough = scene_tuning.enough_stipples * static_cast<double>(set.layers[largest].whole_count());
+    return static_cast<double>(set.layers[stipples].whole_count()) >= enough ? stipples : largest;
 }
 
 // Assigns ids to the marks of all layers of all items, whether they are drawn or not.
@@ -203,7 +203,7 @@ Run run_of(const Item& item, const marks::Layer& layer, bool splats, bool any_su
     run.occludes = style.hidden_lines == HiddenLines::hide && splats;
     // The size of a mark's piece of surface is known for the largest layer. For other layers it follows from the ratio
     // of the mark counts.
-    const double ratio = static_cast<double>(item.set->largest()) / static_cast<double>(layer.count());
+    const double ratio = static_cast<double>(item.set->largest()) / static_cast<double>(layer.whole_count());
     const double eye_per_object = mean_scale(item.transform) * static_cast<double>(lens.eye_per_world);
     run.discs = {&style, &own, static_cast<float>(item.set->spacing * std::sqrt(ratio) * eye_per_object)};
     if (run.is_even() && !run.is_scattered())
