@@ -2372,6 +2372,23 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_draw_with_operation(hrbfnpr_renderer
                                                                 hrbfnpr_operation* operation,
                                                                 hrbfnpr_drawing** out_drawing, hrbfnpr_error* error);
 
+/* Places the marks of a still picture: like hrbfnpr_point_set_generate, but BLUE_NOISE leaves out marks that a drawing
+ * of `item` by `camera` does not need.  These are marks outside the picture, on a side that is not drawn, and in tones
+ * that are too light for them.  The other marks keep their density, ranks and tones; a few lie elsewhere.  Marks of a
+ * layer with a range of tones, of PUBLISHED, and of a style with VISIBILITY_PUBLISHED are all placed.
+ *
+ * item:        style, sides and transform of the drawing.  Its point_set may be NULL, and is not read
+ * desc:        NULL = all defaults
+ * operation:   may be NULL
+ *
+ * Another camera, style or transform would show gaps.  The set cannot be saved.
+ * Errors: those of hrbfnpr_point_set_generate; INVALID_ARGUMENT (the item, its style or the camera). */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_generate_still(hrbfnpr_context* context, const hrbfnpr_model* model,
+                                                            const hrbfnpr_generate_desc* desc,
+                                                            const hrbfnpr_item* item, const hrbfnpr_camera* camera,
+                                                            hrbfnpr_operation* operation,
+                                                            hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
+
 /*
  * ==========================================================================
  * 11  DRAWING: a picture as a value; immutable
@@ -3281,7 +3298,11 @@ enum {
                                           marks that are saved */
     HRBFNPR_PICTURE_SURFACE_ONLY = 64, /* makes the model only: chooses no camera, places no marks, looks for no
                                           lines */
-    HRBFNPR_PICTURE_IS_SOLID = 128     /* says that the source is a part of a solid, so that up is y */
+    HRBFNPR_PICTURE_IS_SOLID = 128,    /* says that the source is a part of a solid, so that up is y */
+    HRBFNPR_PICTURE_STILL = 256        /* places only the marks that the planned camera needs, as
+                                          hrbfnpr_point_set_generate_still does, which takes a part of the time and the
+                                          memory.  No other camera can draw the picture, and its marks cannot be saved.
+                                          With KEEP_MARKS, a turn or a section, all marks are placed */
 };
 
 /* Which edges of a mesh are sharp. */
@@ -3751,7 +3772,8 @@ HRBFNPR_API void hrbfnpr_picture_release(hrbfnpr_picture* picture);
 
 /* Draws a picture.  `camera` NULL is the planned camera.  Lines keep their numbers from one drawing to the next.
  * `operation` may be NULL.
- * Errors: INVALID_ARGUMENT (the camera; a picture made with SURFACE_ONLY; with the planned camera, a drawing in which
+ * Errors: INVALID_ARGUMENT (the camera; another camera than the planned one for a picture made with STILL; a picture
+ * made with SURFACE_ONLY; with the planned camera, a drawing in which
  * hardly anything can be seen, unless ALLOW_BLANK is set: a note BLANK says more), OUT_OF_MEMORY, CANCELLED,
  * CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_draw(hrbfnpr_picture* picture, const hrbfnpr_camera* camera,

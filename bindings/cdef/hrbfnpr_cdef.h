@@ -338,7 +338,11 @@ hrbfnpr_status hrbfnpr_renderer_draw(hrbfnpr_renderer* renderer, const hrbfnpr_i
     int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_drawing** out_drawing, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_renderer_draw_with_operation(hrbfnpr_renderer* renderer, const hrbfnpr_item* items,
     int64_t item_count, int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_operation* operation,
-    hrbfnpr_drawing** out_drawing, hrbfnpr_error* error); void hrbfnpr_drawing_retain(const hrbfnpr_drawing* drawing);
+    hrbfnpr_drawing** out_drawing, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_point_set_generate_still(hrbfnpr_context* context, const hrbfnpr_model* model,
+    const hrbfnpr_generate_desc* desc, const hrbfnpr_item* item, const hrbfnpr_camera* camera,
+    hrbfnpr_operation* operation, hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
+void hrbfnpr_drawing_retain(const hrbfnpr_drawing* drawing);
 void hrbfnpr_drawing_release(const hrbfnpr_drawing* drawing);
 enum { HRBFNPR_CLASS_NONE = 0, HRBFNPR_CLASS_FRONT = 1, HRBFNPR_CLASS_BACK = 2, HRBFNPR_CLASS_SILHOUETTE = 3 };
 typedef struct hrbfnpr_drawing_info { uint32_t struct_size; uint32_t reserved; int64_t items; int64_t layers;
@@ -499,8 +503,9 @@ typedef struct hrbfnpr_picture_source { uint32_t struct_size; uint32_t flags; hr
 hrbfnpr_status hrbfnpr_picture_source_init(hrbfnpr_picture_source* source, uint32_t struct_size);
 enum { HRBFNPR_PICTURE_ALLOW_BLANK = 1, HRBFNPR_PICTURE_FLIP = 2, HRBFNPR_PICTURE_CLOSE = 4,
     HRBFNPR_PICTURE_TOGETHER = 8, HRBFNPR_PICTURE_TRANSPARENT = 16, HRBFNPR_PICTURE_KEEP_MARKS = 32,
-    HRBFNPR_PICTURE_SURFACE_ONLY = 64, HRBFNPR_PICTURE_IS_SOLID = 128 }; enum { HRBFNPR_PICTURE_EDGES_AS_GIVEN = 0,
-    HRBFNPR_PICTURE_EDGES_AUTO = 1, HRBFNPR_PICTURE_EDGES_SMOOTH = 2, HRBFNPR_PICTURE_EDGES_SHARP = 3 };
+    HRBFNPR_PICTURE_SURFACE_ONLY = 64, HRBFNPR_PICTURE_IS_SOLID = 128, HRBFNPR_PICTURE_STILL = 256 };
+enum { HRBFNPR_PICTURE_EDGES_AS_GIVEN = 0, HRBFNPR_PICTURE_EDGES_AUTO = 1, HRBFNPR_PICTURE_EDGES_SMOOTH = 2,
+    HRBFNPR_PICTURE_EDGES_SHARP = 3 };
 enum { HRBFNPR_PROFILE_AUTO = 0, HRBFNPR_PROFILE_YES = 1, HRBFNPR_PROFILE_NO = 2 };
 enum { HRBFNPR_PICTURE_SIDES_AUTO = 0, HRBFNPR_PICTURE_SIDES_FRONT = 1, HRBFNPR_PICTURE_SIDES_BOTH = 2 };
 enum { HRBFNPR_WORDING_FIELDS = 0, HRBFNPR_WORDING_OPTIONS = 1, HRBFNPR_WORDING_ARGUMENTS = 2 };

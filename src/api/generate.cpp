@@ -3,6 +3,7 @@
 #include "generate/generate.h"
 
 #include "api/barrier.h"
+#include "api/camera.h"
 #include "api/descriptor.h"
 #include "api/fields.h"
 #include "api/layer_fields.h"
@@ -11,6 +12,7 @@
 #include "api/model.h"
 #include "api/operation.h"
 #include "api/point_set.h"
+#include "api/style.h"
 #include "api/views.h"
 
 #include <numbers>
@@ -143,9 +145,28 @@ generate::Settings checked(const hrbfnpr_generate_desc& desc) {
     return generate::completed(std::move(settings));
 }
 
+// The drawing of a still picture, with the arrays of its style.
+struct CheckedStill {
+    CheckedStill(base::Memory& memory, const hrbfnpr_item& item, const hrbfnpr_camera& camera)
+        : layers(memory), lines(memory) {
+        const Checks checks("item");
+        checks.one_of("sides", item.sides, HRBFNPR_SIDES_BOTH + 1, "HRBFNPR_SIDES_*");
+        still.camera = to_camera(camera);
+        still.style = checked_style(read_optional_struct(item.style, "item.style"), "item.style", layers, lines);
+        still.style.layers = std::as_const(layers).span();
+        still.both_sides = item.sides == HRBFNPR_SIDES_BOTH;
+        still.transform = to_matrix(item.transform);
+    }
+
+    base::Array<frame::LayerStyle> layers;
+    base::Array<frame::LineStyle> lines;
+    frame::Still still;
+};
+
 hrbfnpr_point_set* generate(hrbfnpr_context& context, const hrbfnpr_model& model, const hrbfnpr_generate_desc& desc,
-                            hrbfnpr_operation* operation) {
-    const generate::Settings settings = checked(desc);
+                            const frame::Still* still, hrbfnpr_operation* operation) {
+    generate::Settings settings = checked(desc);
+    settings.still = still;
     const OperationUse use(operation);
     const generate::SampleHint samples = model.samples();
     generate::check_request(model.implicit(), settings);
@@ -183,7 +204,20 @@ hrbfnpr_status hrbfnpr_point_set_generate(hrbfnpr_context* context, const hrbfnp
                                           hrbfnpr_point_set** out_point_set, hrbfnpr_error* error) {
     return api::guarded_create(out_point_set, "out_point_set", error, [&] {
         return api::generate(api::deref(context, "context"), api::deref(model, "model"),
-                             api::read_optional_struct(desc, "generate_desc"), operation);
+                             api::read_optional_struct(desc, "generate_desc"), nullptr, operation);
+    });
+}
+
+hrbfnpr_status hrbfnpr_point_set_generate_still(hrbfnpr_context* context, const hrbfnpr_model* model,
+                                                const hrbfnpr_generate_desc* desc, const hrbfnpr_item* item,
+                                                const hrbfnpr_camera* camera, hrbfnpr_operation* operation,
+                                                hrbfnpr_point_set** out_point_set, hrbfnpr_error* error) {
+    return api::guarded_create(out_point_set, "out_point_set", error, [&] {
+        hrbfnpr_context& own = api::deref(context, "context");
+        const api::CheckedStill still(own.runtime.memory, api::read_struct(item, "item"),
+                                      api::read_struct(camera, "camera"));
+        return api::generate(own, api::deref(model, "model"), api::read_optional_struct(desc, "generate_desc"),
+                             &still.still, operation);
     });
 }
 

@@ -117,6 +117,15 @@ hrbfnpr_array view_of(const marks::Layer& layer, std::uint32_t attribute) {
     }
 }
 
+// Refuses to save the marks of a still picture: the file could not tell which cameras they are for.
+void require_whole(const marks::PointSet& set) {
+    for (const marks::Layer& layer : set.layers)
+        if (layer.whole > 0)
+            fail(Status::invalid_argument,
+                 "set has only the marks that a still picture needs; make it by hrbfnpr_point_set_generate, or the "
+                 "picture without HRBFNPR_PICTURE_STILL");
+}
+
 hrbfnpr_point_set* read_set(hrbfnpr_context& context, io::Reader& reader) {
     return adopt(context, io::load_point_set(context.runtime.memory, reader));
 }
@@ -195,6 +204,7 @@ hrbfnpr_status hrbfnpr_point_set_save(const hrbfnpr_point_set* set, hrbfnpr_writ
         const auto& handle = api::deref(set, "set");
         if (write == nullptr) fail(Status::invalid_argument, "write is NULL");
         api::CallbackWriter writer(write, user);
+        api::require_whole(handle.set);
         io::save_point_set(handle.set, writer);
     });
 }
@@ -203,6 +213,7 @@ hrbfnpr_status hrbfnpr_point_set_save_memory(const hrbfnpr_point_set* set, void*
                                              int64_t* size, hrbfnpr_error* error) {
     return api::guarded(error, [&] {
         const auto& handle = api::deref(set, "set");
+        api::require_whole(handle.set);
         api::save_to_memory(destination, capacity, size,
                             [&](io::Writer& writer) { io::save_point_set(handle.set, writer); });
     });

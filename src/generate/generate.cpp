@@ -223,7 +223,8 @@ double place_hatching(const GenerateInput& input, GrowingLayer& layer, std::opti
                       marks::LayerReport& report) {
     const base::Stopwatch watch;
     // The samples use the random seed of the whole set, not the layer's.
-    const marks::Site site = input.site.with(layer.part_of(input).work);
+    marks::Site site = input.site.with(layer.part_of(input).work);
+    site.need = layer.site.need;
     hatching::Settings settings = layer.settings.hatching;
     settings.layer = layer.place;
     settings.budget = layer.settings.budget;
@@ -238,6 +239,64 @@ double place_hatching(const GenerateInput& input, GrowingLayer& layer, std::opti
     return last->area();
 }
 
+// What a still picture needs of each layer. It is empty if all marks are placed.
+class StillNeeds {
+public:
+    StillNeeds(const GenerateInput& input, base::List<GrowingLayer>& growing, double area) {
+        const frame::Still* const still = input.settings.still;
+        if (still == nullptr || still->style.visibility == frame::Visibility::published) return;
+        const marks::Site& site = input.site;
+        const geometry::Bounds& bounds = site.implicit.bounds();
+        view_.emplace(site.memory(), *still, geometry::Bounds{site.unit * bounds.min, site.unit * bounds.max},
+                      site.unit);
+        needs_.reserve(static_cast<std::size_t>(growing.size()));
+        for (GrowingLayer& layer : growing) {
+            const bool is_whole = layer.settings.part[0].begin == 0.0 && layer.settings.part[0].end == 1.0;
+            if (!is_whole) continue; // The ranks of a part of the tones do not tell which marks are the first.
+            needs_.emplace_back(*view_, need_of(layer, growing, area));
+            layer.site.need = &needs_.back();
+        }
+    }
+
+private:
+    // Returns about how many marks a layer would have on the whole surface.
+    [[nodiscard]] static double expected_marks(const LayerSettings& layer, double area) noexcept {
+        if (!layer.has_strokes() || layer.hatching.separation <= 0.0) return static_cast<double>(layer.budget);
+        const double step = layer.hatching.step > 0.0 ? layer.hatching.step
+                                                      : hatching::hatching_tuning.step * layer.hatching.separation;
+        return area / (layer.hatching.separation * step);
+    }
+
+    [[nodiscard]] frame::StillLayer need_of(const GrowingLayer& layer, base::List<GrowingLayer>& growing,
+                                            double area) const {
+        const marks::Kind kind = layer.settings.kind;
+        frame::StillLayer need{kind, &style_of(layer), false, true};
+        double largest = 0.0;
+        double stipples = 0.0;
+        for (const GrowingLayer& other : growing) {
+            if (&other != &layer && style_of(other).shown && style_of(other).shape != frame::Shape::hatch)
+                need.makes_tone_alone = false;
+            if (!style_of(other).shown && !style_of(other).contours) continue;
+            const double expected = expected_marks(other.settings, area);
+            largest = std::max(largest, expected);
+            if (!other.settings.has_strokes()) stipples = std::max(stipples, expected);
+        }
+        const double share = stipples / largest;
+        const double limit = frame::scene_tuning.enough_stipples;
+        need.may_be_splats = kind == marks::Kind::stipples ? share > 0.8 * limit : !(share > 1.25 * limit);
+        return need;
+    }
+
+    [[nodiscard]] const frame::LayerStyle& style_of(const GrowingLayer& layer) const {
+        marks::Layer named(layer.site.memory(), layer.settings.kind);
+        if (layer.settings.name[0] != '\0') named.name = layer.settings.name;
+        return view_->item.style.of(named);
+    }
+
+    std::optional<frame::StillView> view_;
+    std::vector<frame::StillNeed> needs_;
+};
+
 // Grows all layers of even stipples and lines. Returns the area of the surface.
 double grow_even(const GenerateInput& input, base::List<GrowingLayer>& growing, marks::PointSet& set) {
     std::int64_t most = 1;
@@ -245,6 +304,7 @@ double grow_even(const GenerateInput& input, base::List<GrowingLayer>& growing, 
         if (!layer.has_strokes()) most = std::max(most, layer.budget);
     const stipples::SurfaceCells cells =
         stipples::cover_surface(input.site.part(0.1, 0.2), input.seeds, input.samples.spacing, most);
+    const StillNeeds needs(input, growing, cells.rough_area());
     double area = 0.0;
     std::optional<hatching::HatchingField> last;
     for (GrowingLayer& layer : growing) {

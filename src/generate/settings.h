@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/view.h"
+#include "frame/scene/still.h"
 #include "hatching/hatching.h"
 #include "marks/point_set.h"
 #include "published/growth.h"
@@ -53,6 +54,8 @@ struct Settings {
     std::vector<LayerSettings> layers; // if empty, there is one layer of stipples
     std::int64_t shared_budget = 0;
     ToneRanges tone_ranges = ToneRanges::full;
+    // The drawing of a still picture, for which marks that it does not need are left out. Null: all marks are placed.
+    const frame::Still* still = nullptr;
 };
 
 // Returns the settings with values for everything that the caller left open: layers, levels, tone ranges, and the

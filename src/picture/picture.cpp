@@ -37,6 +37,11 @@ std::int64_t hrbfnpr_picture::mark_count() const {
     return count;
 }
 
+bool hrbfnpr_picture::is_still() const noexcept {
+    return options.has(HRBFNPR_PICTURE_STILL) && !options.has(HRBFNPR_PICTURE_KEEP_MARKS) && options.desc.turn == 0.0 &&
+           !picture::has_section(options);
+}
+
 namespace hrbfnpr::picture {
 namespace {
 
@@ -143,6 +148,13 @@ void keep_made_parts(const hrbfnpr_picture& picture, MadeParts&& made) {
     if (root.made.size() < most_made) root.made.push_back(std::move(made));
 }
 
+StillDrawing still_of(const hrbfnpr_picture& picture, std::size_t part) {
+    StillDrawing still{defaults<hrbfnpr_item>(hrbfnpr_item_init), picture.camera};
+    still.item.style = &picture.style_view;
+    still.item.sides = picture.parts[part].sides;
+    return still;
+}
+
 void place_marks(hrbfnpr_picture& picture, const Call& call, double area) {
     const Surfaces& surfaces = picture.surfaces();
     if (const std::optional<Vector<Part>> before = find_made_parts(picture, &*picture.marks, nullptr)) {
@@ -154,10 +166,13 @@ void place_marks(hrbfnpr_picture& picture, const Call& call, double area) {
     for (std::size_t i = 0; i < surfaces.list.size(); ++i) {
         const double share = surfaces.probes[i].area / area;
         const Marks own = surfaces.list.size() == 1 ? *picture.marks : share_of(*picture.marks, share);
-        picture.parts[i].marks = generate_marks(call, surfaces.list[i].model, own);
+        const StillDrawing still = still_of(picture, i);
+        picture.parts[i].marks =
+            generate_marks(call, surfaces.list[i].model, own, picture.is_still() ? &still : nullptr);
         made.parts.push_back(picture.parts[i]);
     }
-    keep_made_parts(picture, std::move(made));
+    // Other pictures of the surfaces have other cameras or styles, and need other marks.
+    if (!picture.is_still()) keep_made_parts(picture, std::move(made));
 }
 
 void trace_lines(hrbfnpr_picture& picture, const Call& call, std::size_t i) {
@@ -244,6 +259,7 @@ void plan_surfaces(hrbfnpr_picture& picture, const Call& call) {
         const Model& first = surfaces.list.front().model;
         const double pixels = pixels_per_unit(camera, bounds_of(first).centre());
         picture.marks.emplace(plan_marks(call, *picture.style, area, pixels, model_info_of(first).centres, camera));
+        picture.style_view = picture.style->view();
         place_marks(picture, call, area);
     }
     trace_all_lines(picture, call);
@@ -277,6 +293,14 @@ hrbfnpr_picture* made_by(hrbfnpr_context& context, const hrbfnpr_picture_desc& d
     picture->report.end_planning();
     picture->seconds = watch.seconds();
     return use.finish_with(picture);
+}
+
+bool is_planned_camera(const hrbfnpr_picture& picture, const hrbfnpr_camera& camera) noexcept {
+    const hrbfnpr_camera& planned = picture.camera;
+    return camera.depth_convention == planned.depth_convention &&
+           std::equal(camera.view, camera.view + 16, planned.view) &&
+           std::equal(camera.projection, camera.projection + 16, planned.projection) &&
+           std::equal(camera.viewport, camera.viewport + 4, planned.viewport);
 }
 
 void check_visible(hrbfnpr_picture& picture, const Drawing& drawing) {
@@ -343,6 +367,10 @@ void require_planned(const hrbfnpr_picture& picture) {
 
 hrbfnpr_drawing* draw_picture(hrbfnpr_picture& picture, const hrbfnpr_camera* camera, hrbfnpr_operation* operation) {
     require_planned(picture);
+    if (camera != nullptr && picture.is_still() && !is_planned_camera(picture, *camera))
+        fail(Status::invalid_argument,
+             "camera is not the planned camera of a picture made with HRBFNPR_PICTURE_STILL, which has only the marks "
+             "that the planned camera needs; make the picture without the flag");
     const api::OperationUse use(operation);
     const Serving serving(picture.report, operation);
     Drawing drawing;

@@ -79,6 +79,8 @@ struct hrbfnpr_picture : hrbfnpr::api::Child {
     [[nodiscard]] hrbfnpr::geometry::Bounds bounds() const;
     [[nodiscard]] hrbfnpr::picture::Call call() noexcept { return {context(), options, report, pool}; }
     [[nodiscard]] std::int64_t mark_count() const;
+    // Returns whether only the marks that the planned camera needs are placed.
+    [[nodiscard]] bool is_still() const noexcept;
 
 private:
     // These references are destroyed last, because the members below use memory of the root and of the settings.

@@ -490,11 +490,14 @@ Marks share_of(const Marks& marks, double share) {
     return part;
 }
 
-PointSet generate_marks(const Call& call, const Model& model, const Marks& marks) {
+PointSet generate_marks(const Call& call, const Model& model, const Marks& marks, const StillDrawing* still) {
     Stage stage(call.report, HRBFNPR_STAGE_MARKS);
     const hrbfnpr_generate_desc desc = marks.view();
     auto made = make<PointSet>([&](hrbfnpr_point_set** set, hrbfnpr_error* error) {
-        return hrbfnpr_point_set_generate(&call.context, model.get(), &desc, stage.operation(), set, error);
+        if (still == nullptr)
+            return hrbfnpr_point_set_generate(&call.context, model.get(), &desc, stage.operation(), set, error);
+        return hrbfnpr_point_set_generate_still(&call.context, model.get(), &desc, &still->item, &still->camera,
+                                                stage.operation(), set, error);
     });
     auto info = defaults<hrbfnpr_point_set_info>(hrbfnpr_point_set_info_init);
     picture::call([&](hrbfnpr_error* error) { return hrbfnpr_point_set_get_info(made.get(), &info, error); });

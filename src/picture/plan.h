@@ -30,8 +30,15 @@ namespace hrbfnpr::picture {
 // Returns the marks for a part of the area: all budgets are multiplied by `share`, from 0 to 1.
 [[nodiscard]] Marks share_of(const Marks& marks, double share);
 
-// Generates the marks, in the stage MARKS.
-[[nodiscard]] PointSet generate_marks(const Call& call, const Model& model, const Marks& marks);
+// The drawing of a still picture.
+struct StillDrawing {
+    hrbfnpr_item item;
+    hrbfnpr_camera camera;
+};
+
+// Generates the marks, in the stage MARKS. If `still` is not null, marks that its drawing does not need are left out.
+[[nodiscard]] PointSet generate_marks(const Call& call, const Model& model, const Marks& marks,
+                                      const StillDrawing* still);
 
 // Returns the sides of the surface on which marks are drawn (HRBFNPR_SIDES_*). If a surface ends, its inside is
 // visible, too. `model` is null for a point set.

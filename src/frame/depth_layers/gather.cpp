@@ -93,14 +93,6 @@ void set_up_items(const Scene& scene, Gathering& all) {
             all.inks[scene.runs[r].item] = ink_of(scene, r, all.terms);
 }
 
-// The ink of a disc in square pixels. Its rim fades over a pixel. A disc with a radius below half a pixel becomes paler
-// instead of smaller.
-[[nodiscard]] float disc_ink(float radius) noexcept {
-    const float drawn = std::max(radius, smallest_radius);
-    const float dimmed = radius / drawn;
-    return std::numbers::pi_v<float> * (drawn * drawn + 1.0F / 12.0F) * dimmed * dimmed;
-}
-
 [[nodiscard]] float ink_per_pixel(std::span<const ItemInk::Term> terms, float pixels_per_unit) noexcept {
     float ink = 0.0F;
     for (const ItemInk::Term& t : terms) {
@@ -229,7 +221,7 @@ struct VisibleCluster {
     selection.is_published = style.tone_rule == ToneRule::published;
     selection.coverage = style.tone_curve == ToneCurve::coverage;
     selection.needed = v.ink.needed.data();
-    constexpr auto darkest = static_cast<std::size_t>(layer_tuning.darkest * needed_steps);
+    constexpr auto darkest = static_cast<std::size_t>(scene_tuning.darkest * needed_steps);
     const std::span terms(v.all.terms.data() + v.ink.first, v.all.terms.data() + v.ink.end);
     if (selection.coverage)
         selection.per_ink = 1.0F / std::max(ink_per_pixel(terms, pixels_per_unit), v.ink.needed[darkest]);
@@ -264,7 +256,7 @@ struct VisibleCluster {
 // ---- Splats
 
 [[nodiscard]] float least_splat_spacing(const VisibleCluster& visible) noexcept {
-    return visible.is_uniform ? layer_tuning.splat_spacing : layer_tuning.contour_splat_spacing;
+    return visible.is_uniform ? scene_tuning.splat_spacing : scene_tuning.contour_splat_spacing;
 }
 
 // Returns how many marks of a cluster are splats. These are the first marks of the cluster.

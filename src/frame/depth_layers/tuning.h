@@ -7,19 +7,12 @@ namespace hrbfnpr::frame {
 struct LayerTuning {
     // ---- Ink
 
-    // If all marks together cover less than this share of the paper, they are shown as if they covered this share. Dark
-    // tones then still differ. Larger: paler pictures where there are few marks.
-    float darkest = 0.6F;
     // Towards the contour, the ink of front marks fades over this range of n . v, unless coverage already makes it
     // fade. Larger: a paler rim.
     float front_fade = 0.08F;
 
     // ---- Splats
 
-    // The distance between splats in pixels, if a layer has enough marks. The second constant is for splats near the
-    // contour. Larger: less time, but small features are missed.
-    float splat_spacing = 6.0F;
-    float contour_splat_spacing = 4.0F;
     // The radius of splats in spacings; half a pixel is added. In a blue-noise order, no place is farther than 0.8
     // spacings from a mark. Of random marks, one place in two thousand remains uncovered. Larger: fewer holes, but more
     // is hidden beyond the border of a layer.

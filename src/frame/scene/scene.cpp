@@ -386,6 +386,13 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& given, draw
     for (Run& run : scene.runs) run.first_place = std::exchange(places, places + run.places());
 }
 
+SingleView see(const Item& item, const Camera& camera) {
+    check(camera);
+    check_item({&item, 1}, 0);
+    const Camera own = unit_camera(camera, {&item, 1});
+    return {make_lens(own), view_of(item, own)};
+}
+
 glm::vec3 Run::tone_normal_of(std::int64_t mark) const noexcept {
     if (!has_tone_normals() || (is_posed() && posed_direction == nullptr)) return normal_of(mark);
     const glm::vec3 soft = marks::vector_at(marks->tone_normal, mark);

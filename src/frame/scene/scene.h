@@ -223,6 +223,14 @@ struct Scene {
 // Throws Error{invalid_argument}.
 void set_up(Scene& scene, std::span<const Item> items, const Camera& given, drawing::Drawing& drawing);
 
+// An item and the lens of its camera, without the item's runs.
+struct SingleView {
+    Lens lens;
+    ItemView item;
+};
+// Returns how the camera sees an item that is the only one of a drawing. Throws Error{invalid_argument}.
+[[nodiscard]] SingleView see(const Item& item, const Camera& camera);
+
 // Asks a style's callback for tones, on the thread that called the library.
 class ToneCalls {
 public:

@@ -29,6 +29,22 @@ struct SceneTuning {
     // marks.
     float splat_spacings = 1.5F;
 
+    // If all marks together cover less than this share of the paper, they are shown as if they covered this share. Dark
+    // tones then still differ. Larger: paler pictures where there are few marks.
+    float darkest = 0.6F;
+
+    // The distance between splats in pixels, if a layer has enough marks. The second constant is for splats near the
+    // contour. Larger: less time, but small features are missed.
+    float splat_spacing = 6.0F;
+    float contour_splat_spacing = 4.0F;
+
+    // A still picture needs marks outside of it up to this share of its diagonal. Larger: more marks are placed, and
+    // strokes that leave the picture end farther outside.
+    float still_margin = 0.02F;
+    // A still picture gets this many times the marks that its tone is expected to show, because normals for tone are
+    // averaged. Larger: more marks are placed.
+    float still_surplus = 1.1F;
+
     // The least |n . v| that is used where a disc of paper is pushed back. Larger: the paper of a layer hides ink of
     // the same layer near its contour.
     float smallest_cosine = 0.05F;

@@ -276,6 +276,10 @@ namespace HrbfNpr
             long item_count, long item_stride, hrbfnpr_camera* camera, OperationHandle operation,
             out IntPtr out_drawing, hrbfnpr_error* error);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_generate_still(ContextHandle context, ModelHandle model,
+            hrbfnpr_generate_desc* desc, hrbfnpr_item* item, hrbfnpr_camera* camera, OperationHandle operation,
+            out IntPtr out_point_set, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void hrbfnpr_drawing_retain(IntPtr drawing);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void hrbfnpr_drawing_release(IntPtr drawing);

@@ -278,6 +278,10 @@ namespace HrbfNpr
             long item_count, long item_stride, hrbfnpr_camera* camera, OperationHandle operation,
             out IntPtr out_drawing, hrbfnpr_error* error);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_point_set_generate_still(ContextHandle context, ModelHandle model,
+            hrbfnpr_generate_desc* desc, hrbfnpr_item* item, hrbfnpr_camera* camera, OperationHandle operation,
+            out IntPtr out_point_set, hrbfnpr_error* error);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial void hrbfnpr_drawing_retain(IntPtr drawing);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial void hrbfnpr_drawing_release(IntPtr drawing);

@@ -1132,10 +1132,16 @@ export declare const PICTURE: {
   readonly SURFACE_ONLY: 64;
   /** says that the source is a part of a solid, so that up is y */
   readonly IS_SOLID: 128;
+  /**
+   * places only the marks that the planned camera needs, as hrbfnpr_point_set_generate_still does, which takes a
+   * part of the time and the memory. No other camera can draw the picture, and its marks cannot be saved. With
+   * KEEP_MARKS, a turn or a section, all marks are placed
+   */
+  readonly STILL: 256;
 };
 /** The constants of PICTURE, as options spell them. */
 export type PictureName = "allow-blank" | "flip" | "close" | "together" | "transparent" | "keep-marks" |
-  "surface-only" | "is-solid";
+  "surface-only" | "is-solid" | "still";
 
 /** Which edges of a mesh are sharp. */
 export declare const PICTURE_EDGES: {

@@ -965,6 +965,27 @@ export interface Functions {
    */
   hrbfnpr_renderer_draw_with_operation(renderer: Pointer, items: Pointer, item_count: number, item_stride: number, camera: Pointer, operation: Pointer, out_drawing: Pointer, error: Pointer): number;
   /**
+   * hrbfnpr_status hrbfnpr_point_set_generate_still(hrbfnpr_context* context, const hrbfnpr_model* model, const
+   * hrbfnpr_generate_desc* desc, const hrbfnpr_item* item, const hrbfnpr_camera* camera, hrbfnpr_operation*
+   * operation, hrbfnpr_point_set** out_point_set, hrbfnpr_error* error)
+   *
+   * Places the marks of a still picture: like hrbfnpr_point_set_generate, but BLUE_NOISE leaves out marks that a
+   * drawing
+   * of `item` by `camera` does not need.  These are marks outside the picture, on a side that is not drawn, and in
+   * tones
+   * that are too light for them.  The other marks keep their density, ranks and tones; a few lie elsewhere.  Marks
+   * of a
+   * layer with a range of tones, of PUBLISHED, and of a style with VISIBILITY_PUBLISHED are all placed.
+   *
+   * item:        style, sides and transform of the drawing.  Its point_set may be NULL, and is not read
+   * desc:        NULL = all defaults
+   * operation:   may be NULL
+   *
+   * Another camera, style or transform would show gaps.  The set cannot be saved.
+   * Errors: those of hrbfnpr_point_set_generate; INVALID_ARGUMENT (the item, its style or the camera).
+   */
+  hrbfnpr_point_set_generate_still(context: Pointer, model: Pointer, desc: Pointer, item: Pointer, camera: Pointer, operation: Pointer, out_point_set: Pointer, error: Pointer): number;
+  /**
    * void hrbfnpr_drawing_retain(const hrbfnpr_drawing* drawing)
    *
    * Adds a reference.  Any thread may call it; NULL is ignored.
@@ -1454,8 +1475,9 @@ export interface Functions {
    *
    * Draws a picture.  `camera` NULL is the planned camera.  Lines keep their numbers from one drawing to the next.
    * `operation` may be NULL.
-   * Errors: INVALID_ARGUMENT (the camera; a picture made with SURFACE_ONLY; with the planned camera, a drawing in
-   * which
+   * Errors: INVALID_ARGUMENT (the camera; another camera than the planned one for a picture made with STILL; a
+   * picture
+   * made with SURFACE_ONLY; with the planned camera, a drawing in which
    * hardly anything can be seen, unless ALLOW_BLANK is set: a note BLANK says more), OUT_OF_MEMORY, CANCELLED,
    * CALLBACK.
    */

@@ -111,6 +111,7 @@ export const FUNCTIONS = {
   hrbfnpr_item_init: "ipi",
   hrbfnpr_renderer_draw: "ippjjppp",
   hrbfnpr_renderer_draw_with_operation: "ippjjpppp",
+  hrbfnpr_point_set_generate_still: "ipppppppp",
   hrbfnpr_drawing_retain: "vp",
   hrbfnpr_drawing_release: "vp",
   hrbfnpr_drawing_info_init: "ipi",

@@ -3411,6 +3411,30 @@ extern "C" {
         out_drawing: *mut *mut hrbfnpr_drawing,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
+    /// Places the marks of a still picture: like hrbfnpr_point_set_generate, but BLUE_NOISE
+    /// leaves out marks that a drawing
+    /// of `item` by `camera` does not need.  These are marks outside the picture, on a side that
+    /// is not drawn, and in tones
+    /// that are too light for them.  The other marks keep their density, ranks and tones; a few
+    /// lie elsewhere.  Marks of a
+    /// layer with a range of tones, of PUBLISHED, and of a style with VISIBILITY_PUBLISHED are all placed.
+    ///
+    /// item:        style, sides and transform of the drawing.  Its point_set may be NULL, and is not read
+    /// desc:        NULL = all defaults
+    /// operation:   may be NULL
+    ///
+    /// Another camera, style or transform would show gaps.  The set cannot be saved.
+    /// Errors: those of hrbfnpr_point_set_generate; INVALID_ARGUMENT (the item, its style or the camera).
+    pub fn hrbfnpr_point_set_generate_still(
+        context: *mut hrbfnpr_context,
+        model: *const hrbfnpr_model,
+        desc: *const hrbfnpr_generate_desc,
+        item: *const hrbfnpr_item,
+        camera: *const hrbfnpr_camera,
+        operation: *mut hrbfnpr_operation,
+        out_point_set: *mut *mut hrbfnpr_point_set,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
 }
 
 // 11  DRAWING: a picture as a value; immutable
@@ -4801,6 +4825,10 @@ pub const HRBFNPR_PICTURE_KEEP_MARKS: u32 = 32;
 pub const HRBFNPR_PICTURE_SURFACE_ONLY: u32 = 64;
 /// says that the source is a part of a solid, so that up is y
 pub const HRBFNPR_PICTURE_IS_SOLID: u32 = 128;
+/// places only the marks that the planned camera needs, as hrbfnpr_point_set_generate_still
+/// does, which takes a part of the time and the memory. No other camera can draw the picture,
+/// and its marks cannot be saved. With KEEP_MARKS, a turn or a section, all marks are placed
+pub const HRBFNPR_PICTURE_STILL: u32 = 256;
 
 // Which edges of a mesh are sharp.
 /// edges are found as with AUTO. Where faces are coarse, the normals of the file decide if
@@ -5498,8 +5526,9 @@ extern "C" {
     /// Draws a picture.  `camera` NULL is the planned camera.  Lines keep their numbers from one
     /// drawing to the next.
     /// `operation` may be NULL.
-    /// Errors: INVALID_ARGUMENT (the camera; a picture made with SURFACE_ONLY; with the planned
-    /// camera, a drawing in which
+    /// Errors: INVALID_ARGUMENT (the camera; another camera than the planned one for a picture
+    /// made with STILL; a picture
+    /// made with SURFACE_ONLY; with the planned camera, a drawing in which
     /// hardly anything can be seen, unless ALLOW_BLANK is set: a note BLANK says more),
     /// OUT_OF_MEMORY, CANCELLED,
     /// CALLBACK.

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "frame/scene/still.h"
+
+#include "frame/scene/ink.h"
+
+#include <cmath>
+
+namespace hrbfnpr::frame {
+namespace {
+
+// The normals at a place may differ from the given one by at most 20 degrees.
+constexpr float normal_cosine = 0.93969262F;
+constexpr float normal_sine = 0.34202014F;
+
+// Returns whether a part of the surface may face the eye, or, if `back`, may face away.
+[[nodiscard]] bool may_face(const ClusterView& at, bool back) noexcept {
+    return back ? at.nu_max > 0.0F : at.nu_min < 0.0F;
+}
+
+} // namespace
+
+StillView::StillView(base::Memory& memory, const Still& still, const geometry::Bounds& bounds, double unit)
+    : origin(bounds.centre() / unit) {
+    marks::PointSet empty(memory);
+    empty.bounds = bounds;
+    empty.origin = bounds.centre();
+    empty.unit = unit;
+    Item shown;
+    shown.set = &empty;
+    shown.style = still.style;
+    shown.both_sides = still.both_sides;
+    shown.transform = still.transform;
+    const SingleView single = see(shown, still.camera);
+    lens = single.lens;
+    item = single.item;
+    frustum = frustum_of(lens);
+    sight = sight_of(item, lens, frustum);
+}
+
+ClusterView StillView::view(const glm::dvec3& place, const glm::dvec3& normal, double reach) const noexcept {
+    marks::Extent extent;
+    const glm::vec3 centre(place - origin);
+    const glm::vec3 axis(normal);
+    extent.radius = static_cast<float>(reach);
+    extent.centre = {centre.x, centre.y, centre.z};
+    extent.cone = {{axis.x, axis.y, axis.z}, normal_cosine, normal_sine};
+    return view_cluster(extent, sight, lens, frustum);
+}
+
+// Splats that face away hide other ink only if hidden ink is drawn faintly. Otherwise the surface before them hides
+// all.
+bool StillNeed::needs_other_side() const noexcept {
+    return view_.item.both_sides || (layer_.may_be_splats && view_.item.style.hidden_lines == HiddenLines::attenuate);
+}
+
+bool StillNeed::may_show(const glm::dvec3& place, const glm::dvec3& normal, double reach) const noexcept {
+    const ClusterView at = view_.view(place, normal, reach);
+    if (at.beyond > scene_tuning.still_margin * view_.lens.diagonal) return false;
+    return may_face(at, false) || needs_other_side();
+}
+
+double StillNeed::share(const glm::dvec3& place, const glm::dvec3& normal, double spacing) const noexcept {
+    const ClusterView at = view_.view(place, normal, spacing);
+    if (at.beyond > scene_tuning.still_margin * view_.lens.diagonal) return 0.0;
+    if (!may_face(at, false) && !needs_other_side()) return 0.0;
+    const float splats = layer_.may_be_splats ? share_of_splats(at, static_cast<float>(spacing)) : 0.0F;
+    const bool has_ink = layer_.style->shown && (may_face(at, false) || view_.item.both_sides);
+    const float ink = has_ink ? share_of_ink(at, static_cast<float>(spacing)) : 0.0F;
+    return static_cast<double>(std::clamp(std::max(splats, ink), 0.0F, 1.0F));
+}
+
+// The first marks of an order are splats, until they have the distance that splats need.
+float StillNeed::share_of_splats(const ClusterView& at, float spacing) const noexcept {
+    if (layer_.kind != marks::Kind::stipples || view_.item.style.hidden_lines == HiddenLines::show) return 1.0F;
+    const float pixels = spacing * view_.sight.scale * at.pixels_per_unit / scene_tuning.contour_splat_spacing;
+    return pixels * pixels;
+}
+
+// Returns an upper bound for the share of the marks that the tone shows.
+float StillNeed::share_of_ink(const ClusterView& at, float spacing) const noexcept {
+    const Style& style = view_.item.style;
+    if (style.tone == Tone::callback || style.tone_rule == ToneRule::published) return 1.0F;
+    const float lit = view_.item.both_sides && may_face(at, true) ? -1.0F : at.lit_min;
+    const float darkness = 1.0F - (style.tone == Tone::light ? LightTone(style).least(lit) : 0.0F);
+    if (layer_.kind != marks::Kind::stipples)
+        return layer_.style->shape == Shape::hatch && darkness < layer_.style->hatch_tone_begin ? 0.0F : 1.0F;
+    float shown = darkness;
+    if (style.tone_curve == ToneCurve::coverage) {
+        if (!layer_.makes_tone_alone) return 1.0F;
+        DiscSizes discs;
+        discs.style = &style;
+        discs.layer = layer_.style;
+        if (style.zoom_reference > 0.0)
+            discs.zoom_at_one =
+                static_cast<float>(static_cast<double>(view_.lens.eye_per_world) / style.zoom_reference);
+        const float pixels = spacing * view_.sight.scale * at.pixels_per_unit;
+        const float full = layer_.style->share * disc_ink(discs.front_ink(at.pixels_per_unit)) / (pixels * pixels);
+        const float darkest = ink_for(scene_tuning.darkest, Overlap::blue_noise, 0.0F);
+        const float nu = std::max(-at.nu_min, view_.item.both_sides ? at.nu_max : 0.0F);
+        shown = std::min(1.0F, ink_for(darkness, Overlap::blue_noise, 0.0F) * nu / std::max(full, darkest));
+    }
+    // Marks that fade in are small, so more of them are shown.
+    return scene_tuning.still_surplus * layer_.style->share * shown / (1.0F - 0.5F * style.tone_fade);
+}
+
+} // namespace hrbfnpr::frame
