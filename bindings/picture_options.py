@@ -142,6 +142,8 @@ GROUPS = {
         number("margin", "margin", "SHARE", "share of the picture left free on each side; 0 to 0.45 (default: 0.05)"),
     ],
     "marks": [
+        flag("keep_marks", "flags.KEEP_MARKS", "place all marks, even those that only other cameras or other styles "
+             "show; for marks that are saved"),  # fmt: skip
         Option("layers", "mark_kinds", "layers", "NAMES", "layers of marks to draw: stipples, hatch or stipples,hatch "
                "(default: from the style)"),  # fmt: skip
         choice("distribution", "marks.distribution", "how marks are spread over the surface: evenly, or as in the "

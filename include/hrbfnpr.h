@@ -2381,7 +2381,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_draw_with_operation(hrbfnpr_renderer
  * desc:        NULL = all defaults
  * operation:   may be NULL
  *
- * Another camera, style or transform would show gaps.  The set cannot be saved.
+ * Another camera, transform or style would show gaps, so drawing with them fails, unless the styles differ only in inks,
+ * lines and paper.  The set cannot be saved.
  * Errors: those of hrbfnpr_point_set_generate; INVALID_ARGUMENT (the item, its style or the camera). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_generate_still(hrbfnpr_context* context, const hrbfnpr_model* model,
                                                             const hrbfnpr_generate_desc* desc,
@@ -3294,15 +3295,12 @@ enum {
     HRBFNPR_PICTURE_CLOSE = 4,         /* lets the surface go on beyond open data, as the fit has it */
     HRBFNPR_PICTURE_TOGETHER = 8,      /* fits an open mesh as one surface, even where its parts cross */
     HRBFNPR_PICTURE_TRANSPARENT = 16,  /* makes the paper transparent */
-    HRBFNPR_PICTURE_KEEP_MARKS = 32,   /* gives all layers all their marks, even if the style draws lines only; for
-                                          marks that are saved */
+    HRBFNPR_PICTURE_KEEP_MARKS = 32,   /* gives all layers all their marks, even if the style draws lines only, and even
+                                          those that the planned camera does not need; for marks that are saved, or drawn
+                                          by a renderer of the caller */
     HRBFNPR_PICTURE_SURFACE_ONLY = 64, /* makes the model only: chooses no camera, places no marks, looks for no
                                           lines */
-    HRBFNPR_PICTURE_IS_SOLID = 128,    /* says that the source is a part of a solid, so that up is y */
-    HRBFNPR_PICTURE_STILL = 256        /* places only the marks that the planned camera needs, as
-                                          hrbfnpr_point_set_generate_still does, which takes a part of the time and the
-                                          memory.  No other camera can draw the picture, and its marks cannot be saved.
-                                          With KEEP_MARKS, a turn or a section, all marks are placed */
+    HRBFNPR_PICTURE_IS_SOLID = 128     /* says that the source is a part of a solid, so that up is y */
 };
 
 /* Which edges of a mesh are sharp. */
@@ -3771,9 +3769,10 @@ HRBFNPR_API void hrbfnpr_picture_retain(hrbfnpr_picture* picture);
 HRBFNPR_API void hrbfnpr_picture_release(hrbfnpr_picture* picture);
 
 /* Draws a picture.  `camera` NULL is the planned camera.  Lines keep their numbers from one drawing to the next.
+ * Without KEEP_MARKS and without a turn, the picture has only the marks that the planned camera needs.  The first
+ * drawing by another camera then places all marks, and takes longer.
  * `operation` may be NULL.
- * Errors: INVALID_ARGUMENT (the camera; another camera than the planned one for a picture made with STILL; a picture
- * made with SURFACE_ONLY; with the planned camera, a drawing in which
+ * Errors: INVALID_ARGUMENT (the camera; a picture made with SURFACE_ONLY; with the planned camera, a drawing in which
  * hardly anything can be seen, unless ALLOW_BLANK is set: a note BLANK says more), OUT_OF_MEMORY, CANCELLED,
  * CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_draw(hrbfnpr_picture* picture, const hrbfnpr_camera* camera,
@@ -3809,7 +3808,8 @@ typedef struct hrbfnpr_picture_part {
     uint32_t struct_size;
     uint32_t sides;                     /* sides on which marks are drawn, as used, HRBFNPR_SIDES_... */
     const hrbfnpr_model* model;         /* its model; NULL for a point set */
-    const hrbfnpr_point_set* point_set; /* its marks; NULL with SURFACE_ONLY */
+    const hrbfnpr_point_set* point_set; /* the marks that the planned camera draws: all marks with KEEP_MARKS, else a
+                                           set of hrbfnpr_point_set_generate_still; NULL with SURFACE_ONLY */
     const hrbfnpr_line_set* line_set;   /* its lines; NULL without lines */
     const hrbfnpr_mesh* mesh;           /* the mesh that it was fitted to; NULL for other sources */
 } hrbfnpr_picture_part;

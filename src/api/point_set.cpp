@@ -119,11 +119,10 @@ hrbfnpr_array view_of(const marks::Layer& layer, std::uint32_t attribute) {
 
 // Refuses to save the marks of a still picture: the file could not tell which cameras they are for.
 void require_whole(const marks::PointSet& set) {
-    for (const marks::Layer& layer : set.layers)
-        if (layer.whole > 0)
-            fail(Status::invalid_argument,
-                 "set has only the marks that a still picture needs; make it by hrbfnpr_point_set_generate, or the "
-                 "picture without HRBFNPR_PICTURE_STILL");
+    if (!set.still.empty())
+        fail(Status::invalid_argument,
+             "set has only the marks that a still picture needs; make it by hrbfnpr_point_set_generate, or the picture "
+             "with HRBFNPR_PICTURE_KEEP_MARKS");
 }
 
 hrbfnpr_point_set* read_set(hrbfnpr_context& context, io::Reader& reader) {

@@ -258,6 +258,16 @@ public:
         }
     }
 
+    // Notes in the set which drawing it is for, if marks were left out.
+    void note(const GenerateInput& input, marks::PointSet& set) const {
+        if (needs_.empty()) return;
+        frame::Item item;
+        item.style = input.settings.still->style;
+        item.transform = input.settings.still->transform;
+        item.both_sides = input.settings.still->both_sides;
+        set.still = frame::still_key(input.site.memory(), input.settings.still->camera, item);
+    }
+
 private:
     // Returns about how many marks a layer would have on the whole surface.
     [[nodiscard]] static double expected_marks(const LayerSettings& layer, double area) noexcept {
@@ -312,6 +322,7 @@ double grow_even(const GenerateInput& input, base::List<GrowingLayer>& growing, 
         area = std::max(area, layer.settings.has_strokes() ? place_hatching(input, layer, last, report)
                                                            : spread_stipples(input, cells, layer, report));
     }
+    needs.note(input, set);
     return area;
 }
 

@@ -410,6 +410,7 @@ PointSet copy_of(const base::Runtime& runtime, const PointSet& base) {
     set.seeds = base.seeds;
     set.seconds_seeds = base.seconds_seeds;
     set.seconds_total = base.seconds_total;
+    copy_array(base.still, set.still);
     for (const Layer& layer : base.layers) copy(layer, set.layers.add(runtime.memory, layer.kind));
     return set;
 }

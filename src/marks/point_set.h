@@ -230,7 +230,7 @@ struct Layer {
 };
 
 struct PointSet {
-    explicit PointSet(base::Memory& memory) noexcept : layers(memory) {}
+    explicit PointSet(base::Memory& memory) noexcept : layers(memory), still(memory) {}
 
     Distribution distribution = Distribution::published;
     SeedSource seed_source = SeedSource::points;
@@ -242,6 +242,8 @@ struct PointSet {
     double seconds_seeds = 0.0;
     double seconds_total = 0.0;
     base::List<Layer> layers;
+    // The numbers of the only drawing that the marks are for, see frame::still_key(). Empty: any drawing.
+    base::Array<double> still;
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
     [[nodiscard]] std::int64_t count() const noexcept; // the number of marks

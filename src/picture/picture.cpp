@@ -38,8 +38,9 @@ std::int64_t hrbfnpr_picture::mark_count() const {
 }
 
 bool hrbfnpr_picture::is_still() const noexcept {
-    return options.has(HRBFNPR_PICTURE_STILL) && !options.has(HRBFNPR_PICTURE_KEEP_MARKS) && options.desc.turn == 0.0 &&
-           !picture::has_section(options);
+    return marks && marks->base.distribution == HRBFNPR_DISTRIBUTION_BLUE_NOISE &&
+           style->base.visibility == HRBFNPR_VISIBILITY_DEPTH_LAYERS && !options.has(HRBFNPR_PICTURE_KEEP_MARKS) &&
+           options.desc.turn == 0.0 && !picture::has_section(options);
 }
 
 namespace hrbfnpr::picture {
@@ -125,17 +126,48 @@ String key_of_lines(const Call& call, const Style& style, const Vector<WantedLin
     return key;
 }
 
-// Looks for a picture of the same surfaces that has the marks and lines that this picture needs. Returns the marks and
-// lines of that picture, or nullopt.
-std::optional<Vector<Part>> find_made_parts(const hrbfnpr_picture& picture, const Marks* marks,
-                                            const String* lines_key) {
+// Returns a key with everything in a camera and a style that decides which marks a still picture needs. Inks, lines and
+// paper decide nothing.
+String key_of_still(const hrbfnpr_picture& picture) {
+    String key(&picture.root().pool);
+    const auto add = [&](auto number) { append_decimals(key += ' ', static_cast<double>(number)); };
+    const hrbfnpr_camera& camera = picture.camera;
+    for (const double number : camera.view) add(number);
+    for (const double number : camera.projection) add(number);
+    for (const double number : camera.viewport) add(number);
+    add(camera.depth_convention);
+    const hrbfnpr_style& style = picture.style->base;
+    for (const std::uint32_t choice :
+         {style.tone, style.tone_rule, style.tone_curve, style.light_space, style.visibility, style.hidden_lines})
+        add(choice);
+    for (const double number : style.light) add(number);
+    for (const double number : {style.tone_exponent, double{style.tone_fade}, style.zoom_reference, style.zoom_exponent,
+                                double{style.fill_light}})
+        add(number);
+    for (const hrbfnpr_layer_style& layer : picture.style->layers) {
+        for (const std::uint32_t choice : {layer.kind, layer.shown, layer.contours, layer.shape}) add(choice);
+        for (const float number : {layer.share, layer.radius, layer.radius_zoom, layer.hatch_tone_begin}) add(number);
+        if (layer.name != nullptr) key += layer.name;
+    }
+    for (const Part& part : picture.parts) add(part.sides);
+    return key;
+}
+
+// Looks for marks that another picture of the same surfaces placed for the same plan and the same key of a still
+// picture.
+std::optional<Vector<Part>> find_made_marks(const hrbfnpr_picture& picture, const String& still_key) {
     const hrbfnpr_picture& root = picture.root();
     const std::scoped_lock lock(root.making);
-    for (const MadeParts& made : root.made) {
-        const bool same_marks = marks != nullptr && made.marks && made.marks->same_as(*marks);
-        const bool same_lines = lines_key != nullptr && made.has_lines && made.lines_key == *lines_key;
-        if (marks != nullptr ? same_marks : same_lines) return made.parts;
-    }
+    for (const MadeParts& made : root.made)
+        if (made.marks && made.marks->same_as(*picture.marks) && made.still_key == still_key) return made.parts;
+    return std::nullopt;
+}
+
+std::optional<Vector<Part>> find_made_lines(const hrbfnpr_picture& picture, const String& lines_key) {
+    const hrbfnpr_picture& root = picture.root();
+    const std::scoped_lock lock(root.making);
+    for (const MadeParts& made : root.made)
+        if (made.has_lines && made.lines_key == lines_key) return made.parts;
     return std::nullopt;
 }
 
@@ -155,24 +187,31 @@ StillDrawing still_of(const hrbfnpr_picture& picture, std::size_t part) {
     return still;
 }
 
-void place_marks(hrbfnpr_picture& picture, const Call& call, double area) {
+double area_of(const Surfaces& surfaces) noexcept {
+    double area = 0.0;
+    for (const Probe& probe : surfaces.probes) area += probe.area;
+    return area;
+}
+
+// Returns the planned marks of all parts, in the member `marks` of each part. `is_still`: only those that the planned
+// camera needs.
+Vector<Part> place_marks(const hrbfnpr_picture& picture, const Call& call, bool is_still) {
     const Surfaces& surfaces = picture.surfaces();
-    if (const std::optional<Vector<Part>> before = find_made_parts(picture, &*picture.marks, nullptr)) {
-        for (std::size_t i = 0; i < picture.parts.size(); ++i) picture.parts[i].marks = (*before)[i].marks;
-        return;
-    }
     MadeParts made(picture.root().pool);
+    if (is_still) made.still_key = key_of_still(picture);
+    if (std::optional<Vector<Part>> before = find_made_marks(picture, made.still_key)) return std::move(*before);
     made.marks.emplace(*picture.marks, picture.root().pool);
+    const double area = area_of(surfaces);
     for (std::size_t i = 0; i < surfaces.list.size(); ++i) {
-        const double share = surfaces.probes[i].area / area;
-        const Marks own = surfaces.list.size() == 1 ? *picture.marks : share_of(*picture.marks, share);
+        const Marks own =
+            surfaces.list.size() == 1 ? *picture.marks : share_of(*picture.marks, surfaces.probes[i].area / area);
         const StillDrawing still = still_of(picture, i);
-        picture.parts[i].marks =
-            generate_marks(call, surfaces.list[i].model, own, picture.is_still() ? &still : nullptr);
-        made.parts.push_back(picture.parts[i]);
+        Part& part = made.parts.emplace_back();
+        part.marks = generate_marks(call, surfaces.list[i].model, own, is_still ? &still : nullptr);
     }
-    // Other pictures of the surfaces have other cameras or styles, and need other marks.
-    if (!picture.is_still()) keep_made_parts(picture, std::move(made));
+    Vector<Part> parts = made.parts;
+    keep_made_parts(picture, std::move(made));
+    return parts;
 }
 
 void trace_lines(hrbfnpr_picture& picture, const Call& call, std::size_t i) {
@@ -194,7 +233,7 @@ void trace_all_lines(hrbfnpr_picture& picture, const Call& call) {
     const bool is_drawn =
         picture.style->base.visibility != HRBFNPR_VISIBILITY_PUBLISHED && !picture.style->lines.empty();
     if (is_shared && is_drawn) {
-        if (const std::optional<Vector<Part>> before = find_made_parts(picture, nullptr, &key)) {
+        if (const std::optional<Vector<Part>> before = find_made_lines(picture, key)) {
             for (std::size_t i = 0; i < picture.parts.size(); ++i) picture.parts[i].lines = (*before)[i].lines;
             return;
         }
@@ -248,8 +287,6 @@ void plan_surfaces(hrbfnpr_picture& picture, const Call& call) {
     picture.camera = choose_camera(picture);
     const hrbfnpr_camera& camera = picture.camera;
     picture.style.emplace(plan_style(call, camera.viewport[2], camera.viewport[3], has_end));
-    double area = 0.0;
-    for (const Probe& probe : surfaces.probes) area += probe.area;
     for (const Surface& surface : surfaces.list) {
         Part& part = picture.parts.emplace_back();
         part.marks = surface.marks;
@@ -258,9 +295,11 @@ void plan_surfaces(hrbfnpr_picture& picture, const Call& call) {
     if (!surfaces.list.front().marks) {
         const Model& first = surfaces.list.front().model;
         const double pixels = pixels_per_unit(camera, bounds_of(first).centre());
-        picture.marks.emplace(plan_marks(call, *picture.style, area, pixels, model_info_of(first).centres, camera));
+        picture.marks.emplace(
+            plan_marks(call, *picture.style, area_of(surfaces), pixels, model_info_of(first).centres, camera));
         picture.style_view = picture.style->view();
-        place_marks(picture, call, area);
+        const Vector<Part> placed = place_marks(picture, call, picture.is_still());
+        for (std::size_t i = 0; i < placed.size(); ++i) picture.parts[i].marks = placed[i].marks;
     }
     trace_all_lines(picture, call);
 }
@@ -295,6 +334,13 @@ hrbfnpr_picture* made_by(hrbfnpr_context& context, const hrbfnpr_picture_desc& d
     return use.finish_with(picture);
 }
 
+// Places all marks of a still picture, if that was not done before.
+void complete_marks(hrbfnpr_picture& picture) {
+    if (!picture.is_still() || picture.parts.front().whole) return;
+    const Vector<Part> placed = place_marks(picture, picture.call(), false);
+    for (std::size_t i = 0; i < placed.size(); ++i) picture.parts[i].whole = placed[i].marks;
+}
+
 bool is_planned_camera(const hrbfnpr_picture& picture, const hrbfnpr_camera& camera) noexcept {
     const hrbfnpr_camera& planned = picture.camera;
     return camera.depth_convention == planned.depth_convention &&
@@ -313,11 +359,13 @@ void check_visible(hrbfnpr_picture& picture, const Drawing& drawing) {
                         blank->text);
 }
 
-Drawing draw(hrbfnpr_picture& picture, const hrbfnpr_camera& camera, hrbfnpr_operation* operation) {
+// `with_all_marks`: whether a still picture is drawn with all marks.
+Drawing draw(hrbfnpr_picture& picture, const hrbfnpr_camera& camera, bool with_all_marks,
+             hrbfnpr_operation* operation) {
     Vector<hrbfnpr_item> items(&picture.pool);
     for (const Part& part : picture.parts) {
         auto& item = items.emplace_back(defaults<hrbfnpr_item>(hrbfnpr_item_init));
-        item.point_set = part.marks.get();
+        item.point_set = with_all_marks ? part.whole.get() : part.marks.get();
         item.line_set = part.lines.get();
         item.style = &picture.style_view;
         item.sides = part.sides;
@@ -367,16 +415,14 @@ void require_planned(const hrbfnpr_picture& picture) {
 
 hrbfnpr_drawing* draw_picture(hrbfnpr_picture& picture, const hrbfnpr_camera* camera, hrbfnpr_operation* operation) {
     require_planned(picture);
-    if (camera != nullptr && picture.is_still() && !is_planned_camera(picture, *camera))
-        fail(Status::invalid_argument,
-             "camera is not the planned camera of a picture made with HRBFNPR_PICTURE_STILL, which has only the marks "
-             "that the planned camera needs; make the picture without the flag");
     const api::OperationUse use(operation);
     const Serving serving(picture.report, operation);
     Drawing drawing;
+    const bool is_other_camera = camera != nullptr && picture.is_still() && !is_planned_camera(picture, *camera);
+    if (is_other_camera) complete_marks(picture);
     {
         Stage stage(picture.report, HRBFNPR_STAGE_FRAME);
-        drawing = draw(picture, camera != nullptr ? *camera : picture.camera, stage.operation());
+        drawing = draw(picture, camera != nullptr ? *camera : picture.camera, is_other_camera, stage.operation());
         auto info = defaults<hrbfnpr_drawing_info>(hrbfnpr_drawing_info_init);
         call([&](hrbfnpr_error* error) { return hrbfnpr_drawing_get_info(drawing.get(), &info, error); });
         stage.says(formatted(picture.pool, "%lld of %s visible, %s", static_cast<long long>(info.shown),

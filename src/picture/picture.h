@@ -49,16 +49,18 @@ struct Surfaces {
 
 // The marks and lines of one surface.
 struct Part {
-    PointSet marks;
+    PointSet marks; // For a still picture, only the marks that the planned camera needs.
+    PointSet whole; // All marks of a still picture, once another camera needed them; else null.
     LineSet lines;
     std::uint32_t sides = HRBFNPR_SIDES_FRONT;
 };
 
 // Marks and lines that pictures of the same surfaces reuse.
 struct MadeParts {
-    explicit MadeParts(Pool& pool) : lines_key(&pool), parts(&pool) {}
+    explicit MadeParts(Pool& pool) : still_key(&pool), lines_key(&pool), parts(&pool) {}
 
     std::optional<Marks> marks; // the marks as they were planned
+    String still_key;           // the key of the drawing, see key_of_still(); empty if all marks were placed
     String lines_key;           // the key of the lines, see key_of_lines()
     bool has_lines = false;
     Vector<Part> parts;
@@ -79,7 +81,7 @@ struct hrbfnpr_picture : hrbfnpr::api::Child {
     [[nodiscard]] hrbfnpr::geometry::Bounds bounds() const;
     [[nodiscard]] hrbfnpr::picture::Call call() noexcept { return {context(), options, report, pool}; }
     [[nodiscard]] std::int64_t mark_count() const;
-    // Returns whether only the marks that the planned camera needs are placed.
+    // Returns whether at first only the marks that the planned camera needs are placed.
     [[nodiscard]] bool is_still() const noexcept;
 
 private:

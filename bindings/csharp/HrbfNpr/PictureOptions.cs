@@ -312,8 +312,8 @@ namespace HrbfNpr
         public bool Transparent { get; set; }
 
         /// <summary>
-        /// Whether all layers get all their marks, even if the style draws lines only; for marks that are saved;
-        /// default false.
+        /// Whether all layers get all their marks, even if the style draws lines only, and even those that the planned
+        /// camera does not need; for marks that are saved, or drawn by a <see cref="Renderer"/>; default false.
         /// </summary>
         public bool KeepMarks { get; set; }
 

@@ -55,7 +55,11 @@ class Picture:
 
     @property
     def marks(self) -> PointSet:
-        """The marks on the surface, or on the largest one if parts of a mesh were fitted separately."""
+        """The marks on the surface, or on the largest one if parts of a mesh were fitted separately.
+
+        Without ``keep_marks=True`` they are only those that this camera and style need.  They cannot be saved, and no
+        other camera can draw them.
+        """
         marks = self._scene.parts[0].marks
         assert marks is not None
         return marks

@@ -66,6 +66,18 @@ void check_item(std::span<const Item> items, std::int64_t index) {
              ll{index});
 }
 
+// Refuses marks that were placed for another drawing.
+void check_still(const Item& item, const Camera& camera, std::int64_t index) {
+    const base::Array<double>& made_for = item.set->still;
+    if (made_for.empty()) return;
+    const base::Array<double> key = still_key(item.set->layers.memory(), camera, item);
+    if (key.size() != made_for.size() || !std::equal(key.begin(), key.end(), made_for.begin()))
+        fail(Status::invalid_argument,
+             "items[%lld].point_set has only the marks that another camera, transform or style needs; make it by "
+             "hrbfnpr_point_set_generate, or its picture with HRBFNPR_PICTURE_KEEP_MARKS",
+             ll{index});
+}
+
 // Returns the camera with its eye space in another unit. The unit suits the largest distance of items from the eye.
 // Pixels do not depend on the unit.
 Camera unit_camera(Camera camera, std::span<const Item> items) noexcept {
@@ -358,6 +370,7 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& given, draw
     std::int32_t number = 0;
     for (const Item& item : items) {
         check_item(items, number);
+        check_still(item, given, number);
         scene.items.push_back(view_of(item, camera));
         const ItemView& view = scene.items.back();
         drawing.items.push_back({item.set, view.unit, view.to_world, view.normal_to_world});
@@ -384,6 +397,40 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& given, draw
     add_turned_runs(scene);
     std::int64_t places = 0;
     for (Run& run : scene.runs) run.first_place = std::exchange(places, places + run.places());
+}
+
+base::Array<double> still_key(base::Memory& memory, const Camera& camera, const Item& item) {
+    base::Array<double> key(memory);
+    const auto add = [&](auto number) { key.push_back(static_cast<double>(number)); };
+    for (const glm::dmat4& matrix : {camera.view, camera.projection, item.transform})
+        for (int i = 0; i < 16; ++i) add(matrix[i / 4][i % 4]);
+    for (int i = 0; i < 4; ++i) add(camera.viewport[i]);
+    add(camera.depth);
+    add(item.both_sides);
+    const Style& style = item.style;
+    for (int i = 0; i < 3; ++i) add(style.light[i]);
+    add(style.tone);
+    add(style.tone_rule);
+    add(style.tone_curve);
+    add(style.light_space);
+    add(style.visibility);
+    add(style.hidden_lines);
+    add(style.tone_exponent);
+    add(style.tone_fade);
+    add(style.fill_light);
+    add(style.zoom_reference);
+    add(style.zoom_exponent);
+    for (const LayerStyle& layer : style.layers) {
+        add(layer.kind);
+        add(layer.shown);
+        add(layer.contours);
+        add(layer.shape);
+        add(layer.share);
+        add(layer.radius);
+        add(layer.radius_zoom);
+        add(layer.hatch_tone_begin);
+    }
+    return key;
 }
 
 SingleView see(const Item& item, const Camera& camera) {

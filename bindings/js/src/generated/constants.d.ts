@@ -1126,22 +1126,19 @@ export declare const PICTURE: {
   readonly TOGETHER: 8;
   /** makes the paper transparent */
   readonly TRANSPARENT: 16;
-  /** gives all layers all their marks, even if the style draws lines only; for marks that are saved */
+  /**
+   * gives all layers all their marks, even if the style draws lines only, and even those that the planned camera
+   * does not need; for marks that are saved, or drawn by a renderer of the caller
+   */
   readonly KEEP_MARKS: 32;
   /** makes the model only: chooses no camera, places no marks, looks for no lines */
   readonly SURFACE_ONLY: 64;
   /** says that the source is a part of a solid, so that up is y */
   readonly IS_SOLID: 128;
-  /**
-   * places only the marks that the planned camera needs, as hrbfnpr_point_set_generate_still does, which takes a
-   * part of the time and the memory. No other camera can draw the picture, and its marks cannot be saved. With
-   * KEEP_MARKS, a turn or a section, all marks are placed
-   */
-  readonly STILL: 256;
 };
 /** The constants of PICTURE, as options spell them. */
 export type PictureName = "allow-blank" | "flip" | "close" | "together" | "transparent" | "keep-marks" |
-  "surface-only" | "is-solid" | "still";
+  "surface-only" | "is-solid";
 
 /** Which edges of a mesh are sharp. */
 export declare const PICTURE_EDGES: {

@@ -74,7 +74,7 @@ export const LINE_TYPE = Object.freeze({ AS_DRAWN: 0, CONTINUOUS: 1, DASHED: 2, 
   DOUBLE_DASHED_DOUBLE_DOTTED: 13, DASHED_TRIPLE_DOTTED: 14, DOUBLE_DASHED_TRIPLE_DOTTED: 15 });
 export const SOURCE = Object.freeze({ HAS_SHARP_EDGES: 1, HAS_VIEWPOINT: 2, IS_PHOTO: 4 });
 export const PICTURE = Object.freeze({ ALLOW_BLANK: 1, FLIP: 2, CLOSE: 4, TOGETHER: 8, TRANSPARENT: 16, KEEP_MARKS:
-  32, SURFACE_ONLY: 64, IS_SOLID: 128, STILL: 256 });
+  32, SURFACE_ONLY: 64, IS_SOLID: 128 });
 export const PICTURE_EDGES = Object.freeze({ AS_GIVEN: 0, AUTO: 1, SMOOTH: 2, SHARP: 3 });
 export const PROFILE = Object.freeze({ AUTO: 0, YES: 1, NO: 2 });
 export const PICTURE_SIDES = Object.freeze({ AUTO: 0, FRONT: 1, BOTH: 2 });

@@ -981,7 +981,9 @@ export interface Functions {
    * desc:        NULL = all defaults
    * operation:   may be NULL
    *
-   * Another camera, style or transform would show gaps.  The set cannot be saved.
+   * Another camera, transform or style would show gaps, so drawing with them fails, unless the styles differ only
+   * in inks,
+   * lines and paper.  The set cannot be saved.
    * Errors: those of hrbfnpr_point_set_generate; INVALID_ARGUMENT (the item, its style or the camera).
    */
   hrbfnpr_point_set_generate_still(context: Pointer, model: Pointer, desc: Pointer, item: Pointer, camera: Pointer, operation: Pointer, out_point_set: Pointer, error: Pointer): number;
@@ -1474,10 +1476,12 @@ export interface Functions {
    * operation, hrbfnpr_drawing** out_drawing, hrbfnpr_error* error)
    *
    * Draws a picture.  `camera` NULL is the planned camera.  Lines keep their numbers from one drawing to the next.
+   * Without KEEP_MARKS and without a turn, the picture has only the marks that the planned camera needs.  The
+   * first
+   * drawing by another camera then places all marks, and takes longer.
    * `operation` may be NULL.
-   * Errors: INVALID_ARGUMENT (the camera; another camera than the planned one for a picture made with STILL; a
-   * picture
-   * made with SURFACE_ONLY; with the planned camera, a drawing in which
+   * Errors: INVALID_ARGUMENT (the camera; a picture made with SURFACE_ONLY; with the planned camera, a drawing in
+   * which
    * hardly anything can be seen, unless ALLOW_BLANK is set: a note BLANK says more), OUT_OF_MEMORY, CANCELLED,
    * CALLBACK.
    */

@@ -2402,7 +2402,10 @@ export interface PicturePart {
   sides?: SidesName | number;
   /** its model; NULL for a point set */
   model?: Model;
-  /** its marks; NULL with SURFACE_ONLY */
+  /**
+   * the marks that the planned camera draws: all marks with KEEP_MARKS, else a set of
+   * hrbfnpr_point_set_generate_still; NULL with SURFACE_ONLY
+   */
   pointSet?: PointSet;
   /** its lines; NULL without lines */
   lineSet?: LineSet;

@@ -36,7 +36,7 @@ def draw(arguments: Any, options: Options, context: Context, report: Reporter) -
     if unused and not any(map(format_of, outputs)):
         raise UsageError(f"{', '.join(unused)} is for vectors: name an output .svg, .pdf, .hpgl or .gcode")  # fmt: skip
     flags = ["TOGETHER"] if any(getattr(arguments, name) for name in _NEED_ONE_SURFACE) else []
-    flags += ["KEEP_MARKS"] if arguments.save_points else ["STILL"]
+    flags += ["KEEP_MARKS"] if arguments.save_points else []
     scene = scene_of(
         arguments.input, style_of(arguments), options, None, context, report, flags=flags, settings=settings,
         is_script=arguments.command == "csg",

@@ -3423,7 +3423,9 @@ extern "C" {
     /// desc:        NULL = all defaults
     /// operation:   may be NULL
     ///
-    /// Another camera, style or transform would show gaps.  The set cannot be saved.
+    /// Another camera, transform or style would show gaps, so drawing with them fails, unless the
+    /// styles differ only in inks,
+    /// lines and paper.  The set cannot be saved.
     /// Errors: those of hrbfnpr_point_set_generate; INVALID_ARGUMENT (the item, its style or the camera).
     pub fn hrbfnpr_point_set_generate_still(
         context: *mut hrbfnpr_context,
@@ -4819,16 +4821,14 @@ pub const HRBFNPR_PICTURE_CLOSE: u32 = 4;
 pub const HRBFNPR_PICTURE_TOGETHER: u32 = 8;
 /// makes the paper transparent
 pub const HRBFNPR_PICTURE_TRANSPARENT: u32 = 16;
-/// gives all layers all their marks, even if the style draws lines only; for marks that are saved
+/// gives all layers all their marks, even if the style draws lines only, and even those that
+/// the planned camera does not need; for marks that are saved, or drawn by a renderer of the
+/// caller
 pub const HRBFNPR_PICTURE_KEEP_MARKS: u32 = 32;
 /// makes the model only: chooses no camera, places no marks, looks for no lines
 pub const HRBFNPR_PICTURE_SURFACE_ONLY: u32 = 64;
 /// says that the source is a part of a solid, so that up is y
 pub const HRBFNPR_PICTURE_IS_SOLID: u32 = 128;
-/// places only the marks that the planned camera needs, as hrbfnpr_point_set_generate_still
-/// does, which takes a part of the time and the memory. No other camera can draw the picture,
-/// and its marks cannot be saved. With KEEP_MARKS, a turn or a section, all marks are placed
-pub const HRBFNPR_PICTURE_STILL: u32 = 256;
 
 // Which edges of a mesh are sharp.
 /// edges are found as with AUTO. Where faces are coarse, the normals of the file decide if
@@ -5525,10 +5525,12 @@ extern "C" {
     pub fn hrbfnpr_picture_release(picture: *mut hrbfnpr_picture);
     /// Draws a picture.  `camera` NULL is the planned camera.  Lines keep their numbers from one
     /// drawing to the next.
+    /// Without KEEP_MARKS and without a turn, the picture has only the marks that the planned
+    /// camera needs.  The first
+    /// drawing by another camera then places all marks, and takes longer.
     /// `operation` may be NULL.
-    /// Errors: INVALID_ARGUMENT (the camera; another camera than the planned one for a picture
-    /// made with STILL; a picture
-    /// made with SURFACE_ONLY; with the planned camera, a drawing in which
+    /// Errors: INVALID_ARGUMENT (the camera; a picture made with SURFACE_ONLY; with the planned
+    /// camera, a drawing in which
     /// hardly anything can be seen, unless ALLOW_BLANK is set: a note BLANK says more),
     /// OUT_OF_MEMORY, CANCELLED,
     /// CALLBACK.
@@ -5597,7 +5599,8 @@ pub struct hrbfnpr_picture_part {
     pub sides: u32,
     /// its model; NULL for a point set
     pub model: *const hrbfnpr_model,
-    /// its marks; NULL with SURFACE_ONLY
+    /// the marks that the planned camera draws: all marks with KEEP_MARKS, else a set of
+    /// hrbfnpr_point_set_generate_still; NULL with SURFACE_ONLY
     pub point_set: *const hrbfnpr_point_set,
     /// its lines; NULL without lines
     pub line_set: *const hrbfnpr_line_set,
