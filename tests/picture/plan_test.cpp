@@ -373,7 +373,7 @@ TEST(Plan, PlacingMarksIsReportedAsAStage) {
     const Model model = make<Model>([&](hrbfnpr_model** made, hrbfnpr_error* error) {
         return hrbfnpr_model_fit(&call.context, &fit, nullptr, made, error);
     });
-    const PointSet set = generate_marks(call, model, planned(call).marks);
+    const PointSet set = generate_marks(call, model, planned(call).marks, nullptr);
     auto info = defaults<hrbfnpr_point_set_info>(hrbfnpr_point_set_info_init);
     ASSERT_EQ(hrbfnpr_point_set_get_info(set.get(), &info, nullptr), HRBFNPR_STATUS_OK);
     ASSERT_EQ(given.report->stages.size(), 1U);
