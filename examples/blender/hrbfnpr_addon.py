@@ -98,7 +98,7 @@ def picture_of(hrbfnpr, context, in_one_surface):
     view = {"camera": camera} if camera else {"direction": (0, 1, -1), "size": (settings.width, settings.height)}
     return hrbfnpr.draw(
         source_of(hrbfnpr, context), settings.style, **view, up=(0, 0, 1), samples=settings.samples or None,
-        marks=settings.budget or None, together=in_one_surface,
+        marks=settings.budget or None, together=in_one_surface, keep_marks=in_one_surface,
         progress=lambda doing, share: window.progress_update(100 * share))
 
 
@@ -253,7 +253,7 @@ class HRBFNPR_OT_marks(OfActiveObject, bpy.types.Operator):
     bl_idname = "hrbfnpr.marks"
     bl_label = "Marks as Point Cloud"
     bl_description = "Make a point cloud of the active object's marks, with attributes for geometry nodes"
-    in_one_surface = True  # otherwise each crossing part would have its own marks
+    in_one_surface = True  # otherwise each crossing part would have its own marks, and only those of this camera
 
     def make(self, picture, context):
         marks = picture.marks

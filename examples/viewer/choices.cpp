@@ -89,7 +89,8 @@ Descriptor::Descriptor(const Choices& choices, Size size, const hrbfnpr_camera* 
         changes_.back().field = field.c_str();
         changes_.back().value = value.c_str();
     }
-    desc.flags = HRBFNPR_PICTURE_ALLOW_BLANK;
+    // The viewer turns the picture and saves its marks.
+    desc.flags = HRBFNPR_PICTURE_ALLOW_BLANK | HRBFNPR_PICTURE_KEEP_MARKS;
     desc.settings = choices_.settings.handle.get();
     if (!choices_.style.empty()) desc.style_name = choices_.style.c_str();
     desc.pen = choices_.pen;

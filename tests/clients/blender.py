@@ -58,7 +58,7 @@ bpy.ops.hrbfnpr.marks()
 thing = bpy.data.objects["samples marks"]
 samples = np.loadtxt(sys.argv[sys.argv.index("--") + 1])
 view = {"direction": (0, 1, -1), "up": (0, 0, 1), "size": (WIDTH, HEIGHT), "marks": 3000}
-marks = hrbfnpr.draw((samples[:, :3], samples[:, 3:]), "full", **view).marks
+marks = hrbfnpr.draw((samples[:, :3], samples[:, 3:]), "full", keep_marks=True, **view).marks
 joined = lambda attribute: np.concatenate([getattr(layer, attribute) for layer in marks.layers])
 check("as many marks", len(thing.data.vertices) == len(marks) and len(marks.layers) > 1)
 check("their origin", np.allclose(thing.location, marks.origin))

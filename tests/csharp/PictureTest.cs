@@ -54,7 +54,9 @@ namespace HrbfNpr.Tests
         {
             foreach (Preset preset in new[] { Preset.Stipple, Preset.ContourAndStipple, Preset.Xray })
             {
-                using (Picture whole = Picture.Draw(PictureSource.FromPoints(points, normals), Small(preset)))
+                PictureOptions options = Small(preset);
+                options.KeepMarks = true;
+                using (Picture whole = Picture.Draw(PictureSource.FromPoints(points, normals), options))
                 using (var renderer = new Renderer())
                 {
                     PicturePart part = whole.Parts.Single();

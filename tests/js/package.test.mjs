@@ -272,7 +272,8 @@ test("a picture is seen from another side and drawn in another style", () => {
 
 test("a renderer draws the parts of a picture", () => {
   let events = 0;
-  const picture = context.draw({ points, normals: points }, { style: "contour-and-stipple", size: 100, onEvent: () => void ++events });
+  const picture = context.draw({ points, normals: points },
+    { style: "contour-and-stipple", size: 100, flags: hrbfnpr.PICTURE.KEEP_MARKS, onEvent: () => void ++events });
   const style = picture.style();
   const items = picture.parts().map(({ pointSet, lineSet, sides }) => ({ pointSet, lineSet, sides, style }));
   assert.equal(items.length, 1);

@@ -122,7 +122,7 @@ def test_a_turntable_is_written_in_order(client, tmp_path):
 
 def test_given_marks_and_a_given_style(client):
     style = hrbfnpr.Style("stipple", stipples={"radius": 2.0})
-    marks = hrbfnpr.draw((POINTS, NORMALS), **QUICK).marks
+    marks = hrbfnpr.draw((POINTS, NORMALS), keep_marks=True, **QUICK).marks
     found = dict(batch.frames_of(marks, style, frames=2, size=90, scheduler=client))
     wanted = hrbfnpr.animate(marks, style=style, frames=2, size=90)
     assert all(np.array_equal(found[i], wanted[i].image) for i in range(2))

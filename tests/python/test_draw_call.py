@@ -279,7 +279,7 @@ def test_a_mesh_of_another_package_is_drawn():
 
 
 def test_models_and_marks_are_drawn_unchanged(ring, tmp_path):
-    picture = hrbfnpr.draw(ring, size=100, marks=800)
+    picture = hrbfnpr.draw(ring, size=100, marks=800, keep_marks=True)
     assert picture.model is ring
     marks = hrbfnpr.draw(picture.marks, size=100)
     assert marks.marks is picture.marks and marks.model is None

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // This worker makes pictures, and draws frames of the last one. The page terminates it to cancel.
-import { SOURCE, load } from "./hrbfnpr/src/index.js";
+import { PICTURE, SOURCE, load } from "./hrbfnpr/src/index.js";
 import { cameraOf, optionsOf, scaled, styleOf } from "./look.js";
 import { readShape } from "./readers/read.js";
 import { buildScene } from "./scenes.js";
@@ -61,7 +61,8 @@ function letGo({ picture, parts, renderer }) {
 function make({ key, source, settings, size }) {
   const watch = new Watch();
   const up = source.name === undefined ? { up: [0, 1, 0] } : {}; // y is up in the surfaces of the page
-  const options = { ...optionsOf(settings, size), ...up, onEvent: watch.onEvent };
+  // The page turns the picture, so it needs the marks for all cameras.
+  const options = { ...optionsOf(settings, size), ...up, flags: PICTURE.KEEP_MARKS, onEvent: watch.onEvent };
   const isRestyled = held?.source === source.key;
   const picture = isRestyled ? held.picture.restyle(options, watch) : context.draw(inputOf(source), options, watch);
   const { facts, notes } = isRestyled ? held : watch;
