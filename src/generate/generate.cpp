@@ -210,6 +210,9 @@ double spread_stipples(const GenerateInput& input, const stipples::SurfaceCells&
         marks.key[i] = static_cast<std::uint64_t>(i);
         marks.stroke[i] = static_cast<std::uint32_t>(i);
     }
+    // The first mark gets the highest rank.
+    for (const double place : even.place) marks.rank.push_back(marks::rank_of(1.0 - place));
+    marks.whole = even.whole;
     report.of(0) = even.report;
     report.full_count = count;
     report.seconds = watch.seconds();

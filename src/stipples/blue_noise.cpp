@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stipples/blue_noise.h"
 
+#include "base/long_array.h"
 #include "base/sort.h"
 #include "geometry/long_vec_array.h"
 #include "geometry/point_grid.h"
@@ -13,6 +14,7 @@
 #include <compare>
 #include <functional>
 #include <optional>
+#include <utility>
 
 namespace hrbfnpr::stipples {
 namespace {
@@ -58,7 +60,8 @@ geometry::Bounds region_of(const marks::Site& site, const marks::Seeds& seeds, d
 // Removes marks that projection has brought too close to each other, as it may where the surface bends within the
 // spacing of marks. The later of the two marks is dropped and counted as strayed. The least distance depends on the
 // place of the later mark in the order, so marks are processed in ranges of the order in which the distance is similar.
-// `wandered` has, in ascending order, the indices of the marks that projection moved far.
+// `wandered` has, in ascending order, the indices of the marks that projection moved far. If marks.place is not empty,
+// it has the number of marks of the whole order up to each mark.
 void repair_distances(const marks::Site& site, const base::Array<std::int64_t>& wandered, EvenMarks& marks,
                       marks::LevelReport& report) {
     HRBFNPR_ASSERT(std::is_sorted(wandered.begin(), wandered.end()));
@@ -68,7 +71,8 @@ void repair_distances(const marks::Site& site, const base::Array<std::int64_t>& 
     };
     const std::int64_t count = marks.position.size();
     const auto apart = [&](std::int64_t later) {
-        return stipple_tuning.least_apart * densest_distance(marks.area, static_cast<double>(later + 1));
+        return stipple_tuning.least_apart *
+               densest_distance(marks.area, marks.place.empty() ? static_cast<double>(later + 1) : marks.place[later]);
     };
     base::Array<Pair> pairs(site.memory());
     geometry::VecArray position(site.memory());
@@ -95,17 +99,20 @@ void repair_distances(const marks::Site& site, const base::Array<std::int64_t>& 
     for (std::int64_t i = 0; i < count; ++i) {
         if (dropped[i] != 0) continue;
         marks.position.set(kept, marks.position[i]);
+        if (!marks.place.empty()) marks.place[kept] = marks.place[i];
         marks.normal.set(kept++, marks.normal[i]);
     }
     report.placed = kept;
     report.dropped_strayed += count - kept;
     marks.position.resize(kept);
     marks.normal.resize(kept);
+    if (!marks.place.empty()) marks.place.resize(kept);
 }
 
 // Projects the chosen marks. If a mark does not converge, it is left out and counted.
 void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMarks& chosen, EvenMarks& marks) {
     const std::int64_t all = chosen.size();
+    const bool is_whole = chosen.place.empty();
     const auto share = [&](std::int64_t i) { return static_cast<double>(i) / static_cast<double>(all); };
     marks.position.reserve(all);
     marks.normal.reserve(all);
@@ -116,7 +123,7 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
         const std::int64_t count = std::min(all - begin, points_a_batch);
         projector.start.clear();
         for (std::int64_t i = begin; i < begin + count; ++i) {
-            const float(&p)[3] = chosen[i].position;
+            const float(&p)[3] = chosen.mark[i].position;
             projector.start.push_back(cells.grid.origin + glm::dvec3(p[0], p[1], p[2]));
         }
         // A mark that moves farther than a cell's side has reached another sheet.
@@ -129,17 +136,22 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
             }
             const glm::dvec3 normal = projector.normal(i);
             float n[3];
-            unpack_normal(chosen[begin + i].normal, n);
-            const double packing = densest_distance(marks.area, static_cast<double>(begin + i + 1));
+            unpack_normal(chosen.mark[begin + i].normal, n);
+            const double packing = densest_distance(marks.area, chosen.place_of(begin + i));
             if (glm::distance(projector.position(i), projector.start[i]) > stipple_tuning.wandered_distance * packing ||
                 glm::dot(normal, glm::dvec3(n[0], n[1], n[2])) <
                     stipple_tuning.wandered_cosine * double{unpacked_length})
                 wandered.push_back(marks.position.size());
             geometry::push_back_long(marks.position, projector.position(i), site.work);
             geometry::push_back_long(marks.normal, normal, site.work);
+            if (!is_whole) base::push_back_long(marks.place, chosen.place[begin + i], site.work);
         }
     }
     if (!wandered.empty()) repair_distances(site, wandered, marks, report);
+    if (!is_whole && all > 0) {
+        for (double& place : marks.place) place /= chosen.whole;
+        marks.whole = std::llround(chosen.whole * static_cast<double>(report.placed) / static_cast<double>(all));
+    }
     marks.report.dropped_budget = marks.report.placed - all;
     marks.report.placed = report.placed;
     marks.report.dropped_not_converged += report.dropped_not_converged;
@@ -216,10 +228,14 @@ SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, d
     return cells;
 }
 
-EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted, marks::Kind kind) {
-    const auto many = static_cast<std::int64_t>(stipple_tuning.candidates_per_mark * static_cast<double>(wanted));
+EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted, marks::Kind kind,
+                        const marks::Need* need) {
+    const auto of_marks = static_cast<std::int64_t>(stipple_tuning.candidates_per_mark * static_cast<double>(wanted));
+    const std::int64_t many = std::max(of_marks, stipple_tuning.fewest_candidates);
+    std::optional<NeededCells> needed;
+    if (need != nullptr && !cells.cell.empty()) needed = find_needed_cells(site, cells, *need, wanted, many);
     Candidates candidates =
-        draw_candidates(site.part(0.0, 0.5), cells, std::max(many, stipple_tuning.fewest_candidates), kind);
+        draw_candidates(site.part(0.0, 0.5), cells, many, kind, needed.has_value() ? &*needed : nullptr);
     const OrderedMarks chosen = progressive_order(site.part(0.5, 0.9), candidates, wanted);
     EvenMarks marks(site.memory());
     marks.report = candidates.report;
@@ -238,7 +254,7 @@ EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std:
 
 EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
                             const DensitySettings& density) {
-    if (density.kind == Density::uniform) return spread_evenly(site, cells, wanted, marks::Kind::stipples);
+    if (density.kind == Density::uniform) return spread_evenly(site, cells, wanted, marks::Kind::stipples, site.need);
     std::optional<double> mean_bend;
     const auto densities = [&](const EvenMarks& marks, const base::Progress& part) {
         return density.kind == Density::curvature

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace hrbfnpr::stipples {
 namespace {
@@ -125,7 +126,7 @@ struct PlaneTrials {
             -cell.normal[(up + 2) % 3] / cell.normal[up]};
 }
 
-// Calls visit(place, ticket) for the candidates of a flat cell. Tickets are in [0, 1).
+// Calls visit(place, ticket) for the candidates of a flat cell in ascending order of tickets. Tickets are in [0, 1).
 template <class Visit>
 void for_candidates_on_plane(const marks::Site& site, const SurfaceCells& cells, std::int64_t number,
                              const PlaneCandidates& planes, Visit&& visit) noexcept {
@@ -162,7 +163,9 @@ void store_plane_candidates(const marks::Site& site, const ClassifiedCells& clas
     const float normal = packed(cell.normal);
     const glm::dvec3 centre = cells.centre(number);
     const double half_curvature = 0.5 * double{classified.cell[number].curvature};
+    std::int32_t left = planes.count[number];
     for_candidates_on_plane(site, cells, number, planes, [&](const glm::dvec3& place, double ticket) {
+        if (left-- <= 0) return;
         const glm::dvec3 offset = place - centre;
         const double below = half_curvature * (glm::dot(offset, offset) - cell.distance * cell.distance);
         const glm::dvec3 lowered = offset - below * cell.normal;
@@ -180,13 +183,19 @@ void store_plane_candidates(const marks::Site& site, const ClassifiedCells& clas
     return cells.region.contains(p) ? classified.number.find(geometry::morton_code(cells.grid.cell_of(p))) : -1;
 }
 
-// Evaluates f at random trials in cells. Random number 0 of a cell rounds the number of its trials up or down; number k
+// A random number below 2^32 times the share of the trials that is drawn in the cell.
+struct TrialTicket {
+    std::uint32_t number;
+    float share;
+};
+
+// Makes random trials in cells. Random number 0 of a cell rounds the number of its trials up or down; number k
 // gives trial k. A trial is skipped if the cell's plane puts it far outside the band. The error of the plane inside the
 // cell is 3/8 side^2 curvature, so skipping is correct if the radii of curvature are above 1.5 sides. On a surface with
 // creases, no trial is skipped.
 void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<const std::int32_t> trial_cells,
-                 std::span<const std::int64_t> slot, std::uint32_t stream, geometry::VecArray& trial,
-                 base::Array<std::uint32_t>& ticket) {
+                 std::span<const float> trial_shares, std::span<const std::int64_t> slot, std::uint32_t stream,
+                 geometry::VecArray& trial, base::Array<TrialTicket>& ticket) {
     HRBFNPR_ASSERT(slot.size() == trial_cells.size() + 1);
     const double side = cells.grid.side;
     const double unlikely = site.implicit.sheets() == nullptr ? cells.band + stipple_tuning.miss_distance * side
@@ -205,7 +214,8 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
                 const double distance = cell.distance + glm::dot(cell.normal, offset - 0.5 * side);
                 const bool worth = !(std::abs(distance) > unlikely); // The comparison is true for NaN, too.
                 trial.set(at, worth ? corner + offset : glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
-                ticket[at] = static_cast<std::uint32_t>(u[3] * 4294967296.0);
+                const float share = trial_shares[i];
+                ticket[at] = {static_cast<std::uint32_t>(u[3] * 4294967296.0 * double{share}), share};
             }
         }
     });
@@ -260,7 +270,7 @@ struct ProjectionCounts {
 
 // Makes the projections of a trial: its own projection, then further ones around it in the tangent plane.
 [[nodiscard]] ProjectionCounts project_trial(const marks::Site& site, const ClassifiedCells& classified,
-                                             const glm::dvec3& trial, std::uint32_t first_ticket, double distance,
+                                             const glm::dvec3& trial, const TrialTicket& first, double distance,
                                              const glm::dvec3& gradient, std::uint32_t count, Projection* to) noexcept {
     const SurfaceCells& cells = classified.cells;
     const double side = cells.grid.side;
@@ -276,7 +286,7 @@ struct ProjectionCounts {
           stipple_tuning.plane_error * side);
     ProjectionCounts counts;
     glm::dvec3 at = projection;
-    std::uint32_t ticket = first_ticket;
+    std::uint32_t ticket = first.number;
     for (std::uint32_t k = 0; k < count; ++k) {
         const std::int32_t cell = cell_of(classified, at);
         if (cell < 0 || !site.implicit.contains(at, normal))
@@ -286,19 +296,19 @@ struct ProjectionCounts {
                                  bent || !(glm::dot(normal, cells.cell[cell].normal) >= stipple_tuning.flat_cosine)};
         if (k + 1 == count) break;
         const base::Philox random = base::philox(
-            site.random_seed, {first_ticket, base::bit_cast<std::uint32_t>(static_cast<float>(projection.x)),
+            site.random_seed, {first.number, base::bit_cast<std::uint32_t>(static_cast<float>(projection.x)),
                                static_cast<std::uint32_t>(base::Purpose::candidate_order), k});
         const double u = random[1] * (2.0 * unit_of_32_bits) - 1.0;
         const double r = random[2] * (2.0 * unit_of_32_bits) - 1.0;
         at = projection + stipple_tuning.projection_stride * side * (u * frame.u + r * frame.r);
-        ticket = random[0];
+        ticket = static_cast<std::uint32_t>(random[0] * double{first.share});
     }
     return counts;
 }
 
 // Appends the projections of all trials to `layer`.
 void project_trials(const marks::Site& site, const ClassifiedCells& classified, const geometry::VecArray& trial,
-                    const base::Array<std::uint32_t>& ticket, LayerCandidates& layer) {
+                    const base::Array<TrialTicket>& ticket, LayerCandidates& layer) {
     HRBFNPR_ASSERT(trial.size() == ticket.size());
     marks::FieldSamples field(site.memory());
     evaluate(site, trial, field);
@@ -402,16 +412,29 @@ void refine_projections(const marks::Site& site, const ClassifiedCells& classifi
                all.begin());
 }
 
+// Returns how many projections there would be instead of those from index `first` on, if all trials were drawn. Tickets
+// below the least share are drawn in all cells, so these are counted.
+[[nodiscard]] double whole_count(const LayerCandidates& layer, std::int64_t first) noexcept {
+    const double limit = layer.least_share * 4294967296.0;
+    const auto counted = std::count_if(layer.projection.begin() + first, layer.projection.end(),
+                                       [&](const Projection& p) { return static_cast<double>(p.ticket) < limit; });
+    return static_cast<double>(counted) / layer.least_share;
+}
+
 // ---- 4. Both kinds together
 
 // Stores the candidates of both kinds cell by cell. Each cell has separate groups. Cells without candidates are left
 // out.
 void merge(const marks::Site& site, const ClassifiedCells& classified, const PlaneCandidates& planes,
-           const LayerCandidates& layer, Candidates& candidates) {
+           const LayerCandidates& layer, Candidates& candidates, const NeededCells* needed) {
     const std::int64_t count = classified.cells.cell.size();
     // For each cell: the place of its next candidate; at first, the number of candidates.
     base::Array<std::int64_t> next(site.memory(), count);
-    for (const Projection& projection : layer.projection) ++next[projection.cell];
+    const auto is_needed = [&](const Projection& p) {
+        return needed == nullptr ||
+               double{needed->candidate_share[p.cell]} * 4294967296.0 > static_cast<double>(p.ticket);
+    };
+    for (const Projection& projection : layer.projection) next[projection.cell] += is_needed(projection) ? 1 : 0;
     std::int64_t groups = 0;
     for (std::int64_t cell = 0; cell < count; ++cell) {
         const std::int64_t number = next[cell] + planes.count[cell];
@@ -422,6 +445,11 @@ void merge(const marks::Site& site, const ClassifiedCells& classified, const Pla
         candidates.first.push_back(next[cell]);
         candidates.count += number;
         groups += groups_for(number);
+        if (needed == nullptr) continue;
+        candidates.share.push_back(needed->share[cell]);
+        const double density = classified.kind(cell) == CellKind::flat ? 1.0 : stipple_tuning.layer_density;
+        const double all = static_cast<double>(number) / double{needed->candidate_share[cell]};
+        candidates.relative_area.push_back(static_cast<float>(all / density));
     }
     candidates.group.resize_for_overwrite(groups);
     candidates.ticket.resize_for_overwrite(OrderGroup::size * groups);
@@ -430,7 +458,9 @@ void merge(const marks::Site& site, const ClassifiedCells& classified, const Pla
             if (planes.count[cell] > 0) store_plane_candidates(site, classified, cell, planes, next[cell], candidates);
     });
     for (const Projection& projection : layer.projection)
-        store_candidate(projection.position, projection.normal, projection.ticket, next[projection.cell]++, candidates);
+        if (is_needed(projection))
+            store_candidate(projection.position, projection.normal, projection.ticket, next[projection.cell]++,
+                            candidates);
 }
 
 } // namespace
@@ -447,7 +477,7 @@ ClassifiedCells classify_cells(const marks::Site& site, const SurfaceCells& cell
 }
 
 PlaneCandidates draw_on_planes(const marks::Site& site, const ClassifiedCells& classified, std::uint32_t stream,
-                               double density, double most_trials) {
+                               double density, double most_trials, const NeededCells* needed) {
     HRBFNPR_ASSERT(density > 0.0);
     constexpr double most_of_cell = 1e6; // Limits the trials of a cell, so that their numbers fit into 32 bits.
     const auto flat =
@@ -455,15 +485,19 @@ PlaneCandidates draw_on_planes(const marks::Site& site, const ClassifiedCells& c
                                           [](const ClassifiedCell& c) { return c.kind == CellKind::flat; }));
     PlaneCandidates planes{stream | 0xffff0000U, density, std::min(most_trials / std::max(flat, 1.0), most_of_cell),
                            base::Array<std::int32_t>(site.memory(), classified.cell.size())};
+    base::Array<std::int32_t> all(site.memory(), classified.cell.size()); // the number in each cell, needed or not
     site.work.for_chunks(classified.cell.size(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             site.work.check(); // A cell may have many trials, so this checks for cancellation.
-            if (classified.kind(i) == CellKind::flat)
-                for_candidates_on_plane(site, classified.cells, i, planes,
-                                        [&](const glm::dvec3&, double) { ++planes.count[i]; });
+            if (classified.kind(i) != CellKind::flat) continue;
+            const double share = needed != nullptr ? double{needed->candidate_share[i]} : 1.0;
+            for_candidates_on_plane(site, classified.cells, i, planes, [&](const glm::dvec3&, double ticket) {
+                ++all[i];
+                if (ticket < share) ++planes.count[i];
+            });
         }
     });
-    planes.all = std::accumulate(planes.count.begin(), planes.count.end(), std::int64_t{0});
+    planes.all = std::accumulate(all.begin(), all.end(), std::int64_t{0});
     return planes;
 }
 
@@ -474,11 +508,22 @@ PlaneCandidates draw_on_planes(const marks::Site& site, const ClassifiedCells& c
 double LayerCandidates::area() const noexcept {
     if (rounds == 0) return volume / (2.0 * reach);
     if (near == 0) return 0.0;
-    return static_cast<double>(projection.size()) / (static_cast<double>(projections_per_trial) * trials) * volume /
-           (2.0 * band);
+    return whole / (static_cast<double>(projections_per_trial) * trials) * volume / (2.0 * band);
 }
 
-LayerCandidates layer_candidates(const ClassifiedCells& classified, std::uint32_t stream, std::int64_t wanted) {
+NeededCells find_needed_cells(const marks::Site& site, const SurfaceCells& cells, const marks::Need& need,
+                              std::int64_t wanted, std::int64_t candidates) {
+    const auto many = static_cast<double>(candidates);
+    const double least =
+        std::min(1.0, std::max(stipple_tuning.least_candidate_share, stipple_tuning.fewest_for_area / many));
+    base::Array<float> share = needed_shares(site, cells, need, wanted);
+    base::Array<float> of_candidates =
+        candidate_shares(site.work, cells, share, {cells.rough_area(), cells.grid.side, wanted}, many, least);
+    return {std::move(share), std::move(of_candidates), least};
+}
+
+LayerCandidates layer_candidates(const ClassifiedCells& classified, std::uint32_t stream, std::int64_t wanted,
+                                 const NeededCells* needed) {
     HRBFNPR_ASSERT(wanted > 0);
     const SurfaceCells& cells = classified.cells;
     const double side = cells.grid.side;
@@ -493,25 +538,31 @@ LayerCandidates layer_candidates(const ClassifiedCells& classified, std::uint32_
     const double spacing = std::sqrt(cells.rough_area() * most / static_cast<double>(wanted));
     layer.projections_per_trial = std::clamp<std::int64_t>(std::lround(0.5 * most * side / spacing), 1, most);
     // A projection is less than a side away from its trial: sqrt(band^2 + 2 stride^2) = 0.93 sides.
+    // A bent cell needs as many trials in the cells around it.
+    if (needed != nullptr) layer.least_share = needed->least_share;
     CellMap::BlocksAround blocks;
-    base::Array<std::uint8_t> taken(cells.cell.memory(), classified.cell.size());
+    base::Array<float> taken(cells.cell.memory(), classified.cell.size());
     for (std::int64_t i = 0; i < classified.cell.size(); ++i) {
         if (classified.kind(i) != CellKind::bent) continue;
+        const float share = needed != nullptr ? needed->candidate_share[i] : 1.0F;
         for (const std::int32_t next : classified.number.around(cells.cell[i].code, blocks))
-            if (next >= 0) taken[next] = 1;
+            if (next >= 0) taken[next] = std::max(taken[next], share);
     }
-    for (std::int64_t i = 0; i < taken.size(); ++i)
-        if (taken[i] != 0) layer.trial_cell.push_back(static_cast<std::int32_t>(i));
+    for (std::int64_t i = 0; i < taken.size(); ++i) {
+        if (!(taken[i] > 0.0F)) continue;
+        layer.trial_cell.push_back(static_cast<std::int32_t>(i));
+        layer.trial_share.push_back(taken[i]);
+    }
     layer.volume = static_cast<double>(layer.trial_cell.size()) * side * side * side;
     return layer;
 }
 
 void draw_in_layer(const marks::Site& site, const ClassifiedCells& classified, double density, LayerCandidates& layer) {
     const std::int64_t cells = layer.trial_cell.size();
-    const double missing = density * layer.area() - static_cast<double>(layer.projection.size());
+    const double missing = density * layer.area() - layer.whole;
     if (cells == 0 || !(missing > 0.0)) return;
     // The mean number of projections for each trial.
-    double of_trial = static_cast<double>(layer.projection.size()) / layer.trials;
+    double of_trial = layer.whole / layer.trials;
     if (layer.rounds == 0)
         of_trial = static_cast<double>(layer.projections_per_trial) * 2.0 * layer.band * layer.area() / layer.volume;
     const double per_cell =
@@ -519,7 +570,7 @@ void draw_in_layer(const marks::Site& site, const ClassifiedCells& classified, d
     const std::uint32_t stream = (layer.stream + marks::stream_count * layer.rounds++) << 16U;
     base::Array<std::int64_t> slot(site.memory()); // for each cell: where its trials begin in the batch; and the end
     geometry::VecArray trial(site.memory());
-    base::Array<std::uint32_t> ticket(site.memory());
+    base::Array<TrialTicket> ticket(site.memory());
     const marks::Site standing = site.without_progress();
     for (std::int64_t begin = 0, end = 0; begin < cells; begin = end) {
         slot.clear();
@@ -527,45 +578,50 @@ void draw_in_layer(const marks::Site& site, const ClassifiedCells& classified, d
         for (; end < cells && slot.back() < points_a_batch; ++end) {
             const std::uint64_t code = classified.cells.cell[layer.trial_cell[end]].code;
             const double extra = base::uniform4(site.random_seed, code, base::Purpose::candidate, stream)[0];
-            slot.push_back(slot.back() + static_cast<std::int64_t>(std::min(per_cell + extra, 65535.0)));
+            const double share{layer.trial_share[end]};
+            const auto count = static_cast<std::int64_t>(std::min(per_cell * share + extra, 65535.0));
+            slot.push_back(slot.back() + count);
+            layer.trials += static_cast<double>(count) / share;
         }
-        layer.trials += static_cast<double>(slot.back());
         const auto batch = static_cast<std::size_t>(begin);
-        draw_trials(site, classified.cells, layer.trial_cell.span().subspan(batch, slot.span().size() - 1), slot.span(),
-                    stream, trial, ticket);
+        const std::size_t cells_of_batch = slot.span().size() - 1;
+        draw_trials(site, classified.cells, layer.trial_cell.span().subspan(batch, cells_of_batch),
+                    layer.trial_share.span().subspan(batch, cells_of_batch), slot.span(), stream, trial, ticket);
         const std::int64_t first = layer.projection.size();
         project_trials(standing, classified, trial, ticket, layer);
         refine_projections(standing, classified, first, layer);
+        layer.whole += whole_count(layer, first);
         site.work.update(static_cast<double>(end) / static_cast<double>(cells));
     }
 }
 
-Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted, marks::Kind kind) {
+Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted, marks::Kind kind,
+                           const NeededCells* needed) {
     Candidates candidates(site.memory());
     candidates.grid = cells.grid;
     candidates.region = cells.region;
     if (cells.cell.empty()) return candidates;
     const std::uint32_t stream = marks::stream_of(kind);
     const ClassifiedCells classified = classify_cells(site, cells);
-    LayerCandidates layer = layer_candidates(classified, stream, wanted);
+    LayerCandidates layer = layer_candidates(classified, stream, wanted, needed);
     // If f is not like a distance, the area computed from cells is wrong, and the first round gives too few candidates.
     const auto many = static_cast<double>(wanted);
     double density = many / cells.rough_area();
     PlaneCandidates planes{stream, density, 0.0, base::Array<std::int32_t>(site.memory())};
     for (int round = 0; round < stipple_tuning.candidate_rounds; ++round) {
-        planes = draw_on_planes(site, classified, stream, density, stipple_tuning.most_trials * many);
+        planes = draw_on_planes(site, classified, stream, density, stipple_tuning.most_trials * many, needed);
         draw_in_layer(site.part(round == 0 ? 0.0 : 0.7, round == 0 ? 0.7 : 0.8), classified,
                       stipple_tuning.layer_density * density, layer);
-        const double placed = static_cast<double>(planes.all) +
-                              static_cast<double>(layer.projection.size()) / stipple_tuning.layer_density;
+        const double placed = static_cast<double>(planes.all) + layer.whole / stipple_tuning.layer_density;
         if (placed >= stipple_tuning.candidates_share * many || !(placed > 0.0)) break;
         density *= many / placed;
     }
-    merge(site, classified, planes, layer, candidates);
+    candidates.area = planes.area() + layer.area();
+    candidates.whole = static_cast<double>(planes.all) + layer.whole;
+    merge(site, classified, planes, layer, candidates, needed);
     candidates.report.placed = candidates.count;
     candidates.report.dropped_strayed = layer.strayed;
     candidates.report.attempted = candidates.report.placed + candidates.report.dropped_strayed;
-    candidates.area = planes.area() + layer.area();
     site.work.update(1.0);
     return candidates;
 }

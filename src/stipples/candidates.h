@@ -8,10 +8,10 @@
 #pragma once
 
 #include "marks/site.h"
+#include "stipples/needed_cells.h"
 #include "stipples/order_loops.h"
 #include "stipples/surface_cells.h"
 
-#include <cmath>
 #include <span>
 
 namespace hrbfnpr::stipples {
@@ -43,21 +43,34 @@ struct ClassifiedCells {
 
 [[nodiscard]] ClassifiedCells classify_cells(const marks::Site& site, const SurfaceCells& cells);
 
+// What a still picture needs of the cells of a surface.
+struct NeededCells {
+    base::Array<float> share;           // for each cell, the share of the order that is needed
+    base::Array<float> candidate_share; // for each cell, the share of its candidates that some stage may use
+    double least_share;                 // no candidate share is below this
+};
+
+// Finds what `need` asks for, for an order of `wanted` marks that is chosen from `candidates` candidates.
+[[nodiscard]] NeededCells find_needed_cells(const marks::Site& site, const SurfaceCells& cells, const marks::Need& need,
+                                            std::int64_t wanted, std::int64_t candidates);
+
 // The candidates on the planes of flat cells. Only the number of candidates in each cell is stored: the candidates are
 // generated again from the random numbers of the cells.
 struct PlaneCandidates {
     std::uint32_t stream; // the stream of random numbers for the trials
     double density;       // the number of trials per unit of area
     double most_trials_in_cell;
-    base::Array<std::int32_t> count; // the number of candidates in each cell
-    std::int64_t all = 0;            // the sum of `count`
+    base::Array<std::int32_t> count; // the number of candidates in each cell, without those that are not needed
+    std::int64_t all = 0;            // the number of candidates in all cells, needed or not
     // Returns the area of the planes inside flat cells and the region, estimated from the candidates.
     [[nodiscard]] double area() const noexcept { return all > 0 ? static_cast<double>(all) / density : 0.0; }
 };
 
-// Generates `density` candidates per unit of area, with at most `most_trials` trials in all cells together.
+// Generates `density` candidates per unit of area, with at most `most_trials` trials in all cells together. `needed`
+// may be null: then all candidates are needed.
 [[nodiscard]] PlaneCandidates draw_on_planes(const marks::Site& site, const ClassifiedCells& classified,
-                                             std::uint32_t stream, double density, double most_trials);
+                                             std::uint32_t stream, double density, double most_trials,
+                                             const NeededCells* needed = nullptr);
 
 // A point on the surface, to second order, with its cell.
 struct Projection {
@@ -76,7 +89,8 @@ struct Projection {
 // onto another sheet and do not count; points whose mirror image is cut off count twice. A candidate that is placed
 // beside a projection, and lands across the crease, is mirrored back.
 struct LayerCandidates {
-    explicit LayerCandidates(base::Memory& memory) noexcept : trial_cell(memory), projection(memory) {}
+    explicit LayerCandidates(base::Memory& memory) noexcept
+        : trial_cell(memory), trial_share(memory), projection(memory) {}
 
     // Returns an estimate of the area: from the volume before the first draw, and from the projections afterwards.
     [[nodiscard]] double area() const noexcept;
@@ -84,12 +98,15 @@ struct LayerCandidates {
     std::uint32_t stream = 0;               // the stream of random numbers for the points
     std::int64_t projections_per_trial = 1; // the number of projections for each trial
     base::Array<std::int32_t> trial_cell;   // all cells in which a trial may have a projection into a bent cell
+    base::Array<float> trial_share;         // for each of these cells: the share of its trials that is drawn
+    double least_share = 1.0;               // Each cell has at least this share of its projections.
     double volume = 0.0;                    // the volume of these cells
     double reach = 0.0, band = 0.0;         // the same as in SurfaceCells
     // The members below change with each draw.
     base::Array<Projection> projection;
     std::uint32_t rounds = 0;
-    double trials = 0.0;
+    double trials = 0.0;   // the number of trials, as if all trials were drawn
+    double whole = 0.0;    // the number of projections, as if all trials were drawn
     std::int64_t near = 0; // the number of projections whose trials are inside the band
     // The number of projections counted in `near` that are outside the region or in none of its cells.
     std::int64_t strayed = 0;
@@ -98,7 +115,7 @@ struct LayerCandidates {
 
 // Makes an empty layer. `wanted` is the number of candidates for the whole surface.
 [[nodiscard]] LayerCandidates layer_candidates(const ClassifiedCells& classified, std::uint32_t stream,
-                                               std::int64_t wanted);
+                                               std::int64_t wanted, const NeededCells* needed = nullptr);
 // Draws more points, until there are about `density` candidates per unit of area.
 void draw_in_layer(const marks::Site& site, const ClassifiedCells& classified, double density, LayerCandidates& layer);
 
@@ -106,7 +123,8 @@ void draw_in_layer(const marks::Site& site, const ClassifiedCells& classified, d
 // are projected later.
 struct Candidates {
     explicit Candidates(base::Memory& memory) noexcept
-        : code(memory), number(memory), first(memory), group(memory), ticket(memory) {}
+        : code(memory), number(memory), first(memory), share(memory), relative_area(memory), group(memory),
+          ticket(memory) {}
 
     [[nodiscard]] std::int64_t cells() const noexcept { return code.size(); }
     [[nodiscard]] OrderBlock places() noexcept { return {group.data(), group.size()}; }
@@ -121,9 +139,13 @@ struct Candidates {
     geometry::CellGrid grid;
     geometry::Bounds region;
     std::int64_t count = 0;
+    double whole = 0.0; // the number of candidates on the whole surface, with those that a still picture does not need
     base::Array<std::uint64_t> code;  // the codes of the cells with candidates (geometry/morton.h), in ascending order
     base::Array<std::int32_t> number; // the number of candidates in each cell
     base::Array<std::int64_t> first;  // for each cell: the place of its first candidate, which begins a group
+    // For each cell: the share of the order that is needed there, and the area of the surface in the cell, in some
+    // unit. Empty if the whole order is needed everywhere.
+    base::Array<float> share, relative_area;
     // The candidates. x, y, z are relative to grid.origin, and at most about curvature * (side / 4)^2 off the surface.
     // The order sets their energies and clearances.
     base::Array<OrderGroup> group;
@@ -132,9 +154,9 @@ struct Candidates {
     double area = 0.0;                 // the estimated area of the surface inside the region
 };
 
-// Generates about `wanted` candidates.
+// Generates about `wanted` candidates. `needed` may be null: then all of them are needed.
 [[nodiscard]] Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
-                                         marks::Kind kind);
+                                         marks::Kind kind, const NeededCells* needed = nullptr);
 
 // ---- The progressive order
 //
@@ -155,11 +177,11 @@ struct Candidates {
 //    energy gives its best candidate, or the middle of the gap beside this candidate. The energy of the new mark is
 //    added to the candidates of the cells around it.
 // 3. The marks of one step of a sweep are shuffled, so that each prefix is spread like the whole.
-
-// Returns the distance between neighbours in the densest packing of `marks` marks.
-[[nodiscard]] inline double densest_distance(double area, double marks) noexcept {
-    return std::sqrt(2.0 / std::sqrt(3.0) * area / marks);
-}
+//
+// If a still picture needs only parts of the order, each cell is closed when the order has as many marks as the cell
+// needs. Marks are counted as if they were placed everywhere: the marks in the cells that need more, divided by the
+// share of these cells in the area. Cells beside these cells stay open, too, but their marks are not counted, because
+// they have fewer neighbours than in the whole order.
 
 // Returns a move from the origin of a plane into the middle of the gap between the points around the origin. The move
 // increases the distance to the nearest point: first away from that point, then between the two nearest points, from
@@ -168,7 +190,19 @@ struct Candidates {
 [[nodiscard]] glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double farthest) noexcept;
 
 // The marks in order. Positions are relative to the grid.origin of the candidates, and near the surface.
-using OrderedMarks = base::Array<OrderMark>;
+struct OrderedMarks {
+    explicit OrderedMarks(base::Memory& memory) noexcept : mark(memory), place(memory) {}
+
+    [[nodiscard]] std::int64_t size() const noexcept { return mark.size(); }
+    // Returns the number of marks of the whole order up to the mark.
+    [[nodiscard]] double place_of(std::int64_t i) const noexcept {
+        return place.empty() ? static_cast<double>(i + 1) : place[i];
+    }
+
+    base::Array<OrderMark> mark;
+    base::Array<double> place; // for each mark: its place in the whole order; empty if this is the whole order
+    double whole = 0.0;        // the number of marks of the whole order
+};
 
 // Orders `wanted` marks, or fewer if there are not enough distinct places. It works in place and changes the order of
 // the candidates.

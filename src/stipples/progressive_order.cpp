@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -40,12 +42,23 @@ struct LastStageCells {
 struct PlacementOrder {
     explicit PlacementOrder(base::Memory& memory) noexcept : mark(memory), sweep(memory), step(memory) {}
 
-    OrderedMarks mark;
-    base::Array<std::int64_t> sweep; // for each sweep: the index of its first mark
-    base::Array<std::uint8_t> step;  // for each mark: the step of its sweep in which it was placed
+    struct Sweep {
+        std::int64_t first; // the index of its first mark
+        double before;      // the number of marks of the whole order before the sweep
+    };
+
+    base::Array<OrderMark> mark;
+    base::Array<Sweep> sweep;
+    base::Array<std::uint8_t> step; // for each mark: the step of its sweep in which it was placed
+    // The number of marks that the whole order has. It differs from the number of marks if some are not needed.
+    double whole = 0.0;
 };
 
 constexpr std::int32_t slots_of_cell = 5;
+
+// The result of a search in a cell without candidates.
+constexpr LowestEnergy no_candidate = {-1, std::numeric_limits<float>::infinity(),
+                                       std::numeric_limits<float>::infinity()};
 
 // A cell with its marks. A cell takes two cache lines and contains up to five of its marks, so that the marks around a
 // place are in few cache lines.
@@ -116,8 +129,9 @@ struct Stage {
           grid(candidates.grid), region{candidates.region.min - grid.origin, candidates.region.max - grid.origin},
           last_stage(last_stage_cells), settings(its), side(static_cast<float>(std::ldexp(grid.side, its.level))),
           creased(of.implicit.sheets() != nullptr), loops(order_loops(of.work.instruction_set)), number(of.memory()),
-          cell(of.memory()), neighbour(of.memory()), lowest(of.memory()), floor(of.memory()), own_group(of.memory()),
-          extra(of.memory()), tile(of.memory()), fresh(of.memory()), fresh_count(of.memory()) {}
+          cell(of.memory()), neighbour(of.memory()), lowest(of.memory()), floor(of.memory()), needed(of.memory()),
+          needed_around(of.memory()), relative_area(of.memory()), own_group(of.memory()), extra(of.memory()),
+          tile(of.memory()), fresh(of.memory()), fresh_count(of.memory()) {}
 
     [[nodiscard]] OrderBlock block_of(std::int64_t c) noexcept {
         HRBFNPR_ASSERT(c >= 0 && c < cell.size());
@@ -133,6 +147,13 @@ struct Stage {
     [[nodiscard]] std::int32_t cell_at(std::uint64_t code) const noexcept {
         return number.find(code >> static_cast<unsigned>(3 * settings.level));
     }
+
+    // Returns whether a cell has candidates: the cell or a cell beside it needs more than is placed.
+    [[nodiscard]] bool is_open(std::int64_t c) const noexcept {
+        return needed_around.empty() || needed_around[c] > placed_share;
+    }
+    // Returns whether the marks of a cell are counted: the cell itself needs more than is placed.
+    [[nodiscard]] bool is_counted(std::int64_t c) const noexcept { return needed.empty() || needed[c] > placed_share; }
 
     // Stores which candidate of a cell is the best among those far enough from all marks.
     void store_lowest(std::int32_t c, const LowestEnergy& found) noexcept {
@@ -190,6 +211,12 @@ struct Stage {
     base::Array<CellMap::Around> neighbour;
     base::Array<float> lowest; // for each cell: the energy of its best candidate; infinite if none is open
     base::Array<float> floor;  // for each cell: a lower bound for the energy of its candidates
+    // For each cell: the share of the order that is needed, the largest such share of the cell and its neighbours, and
+    // the area of the surface in the cell, in some unit. Empty if the whole order is needed everywhere.
+    base::Array<float> needed, needed_around, relative_area;
+    double whole_area = 0.0;    // the sum of `relative_area`
+    float placed_share = 0.0F;  // the share of the order that is placed before the present sweep
+    double counted_share = 1.0; // the share of the area in which more of the order is needed
     // A candidate is open if its squared distance from all marks is at least this. Set for the last step of a sweep.
     float least_clearance = 0.0F;
     OrderGroup* group = nullptr; // points to `own_group`, or to the groups of the candidates
@@ -204,21 +231,47 @@ struct Stage {
 
 // ---- Making a stage
 
-// Puts the candidates into the cells of the stage. Returns the codes of these cells. The candidates are not copied if
-// all of them take part, and if the cells of the stage are those of the candidates.
-[[nodiscard]] base::Array<std::uint64_t> take_candidates(Candidates& candidates, Stage& stage) {
-    const StageSettings& settings = stage.settings;
-    base::Array<std::uint64_t> code(stage.site.memory());
+// The cells of a stage that contain cells of the candidates.
+struct CellsOfStage {
+    explicit CellsOfStage(base::Memory& memory) noexcept : code(memory), part(memory) {}
+
+    base::Array<std::uint64_t> code;
     // for each cell of the stage: the index of the first of the candidates' cells that it contains; at the end, the
     // number of the candidates' cells
-    base::Array<std::int64_t> part(stage.site.memory());
+    base::Array<std::int64_t> part;
+};
+
+[[nodiscard]] CellsOfStage find_cells(const Candidates& candidates, const Stage& stage) {
+    CellsOfStage found(stage.site.memory());
     for (std::int64_t c = 0; c < candidates.cells(); ++c) {
-        const std::uint64_t here = candidates.code[c] >> static_cast<unsigned>(3 * settings.level);
-        if (!code.empty() && code.back() == here) continue;
-        code.push_back(here);
-        part.push_back(c);
+        const std::uint64_t here = candidates.code[c] >> static_cast<unsigned>(3 * stage.settings.level);
+        if (!found.code.empty() && found.code.back() == here) continue;
+        found.code.push_back(here);
+        found.part.push_back(c);
     }
-    part.push_back(candidates.cells());
+    found.part.push_back(candidates.cells());
+    return found;
+}
+
+// Sets the shares of the cells, if some of the order is not needed everywhere.
+void find_shares(const Candidates& candidates, const CellsOfStage& cells, Stage& stage) {
+    if (candidates.share.empty()) return;
+    stage.needed.resize(cells.code.size());
+    stage.relative_area.resize(cells.code.size());
+    for (std::int64_t c = 0; c < cells.code.size(); ++c)
+        for (std::int64_t from = cells.part[c]; from < cells.part[c + 1]; ++from) {
+            stage.needed[c] = std::max(stage.needed[c], candidates.share[from]);
+            stage.relative_area[c] += candidates.relative_area[from];
+        }
+    stage.whole_area = std::accumulate(stage.relative_area.begin(), stage.relative_area.end(), 0.0);
+    stage.needed_around = largest_around(stage.site.work, cells.code, stage.number, stage.needed);
+}
+
+// Puts the candidates into the cells of the stage, but not into closed cells. The candidates are not copied if all of
+// them take part, and if the cells of the stage are those of the candidates.
+void take_candidates(Candidates& candidates, const CellsOfStage& cells, Stage& stage) {
+    const StageSettings& settings = stage.settings;
+    const base::Array<std::uint64_t>& code = cells.code;
     stage.cell.resize_for_overwrite(code.size());
     const auto empty_cell = [&](std::int64_t c, std::int64_t group, std::int64_t count) {
         const CellGrid::Cell at = geometry::morton_cell(code[c]);
@@ -228,13 +281,15 @@ struct Stage {
     if (settings.level == 0 && settings.ticket_limit > 0xffffffffU) {
         stage.group = candidates.group.data();
         stage.for_cells([&](std::int64_t c) {
-            stage.cell[c] = empty_cell(c, candidates.first[c] / OrderGroup::size, candidates.number[c]);
-            forget_marks(stage.block_of(c), candidates.number[c]);
+            const std::int64_t count = stage.is_open(c) ? candidates.number[c] : 0;
+            stage.cell[c] = empty_cell(c, candidates.first[c] / OrderGroup::size, count);
+            forget_marks(stage.block_of(c), count);
         });
-        return code;
+        return;
     }
     const auto for_taken = [&](std::int64_t c, auto&& visit) {
-        for (std::int64_t from = part[c]; from < part[c + 1]; ++from)
+        if (!stage.is_open(c)) return;
+        for (std::int64_t from = cells.part[c]; from < cells.part[c + 1]; ++from)
             candidates.for_taken(from, settings.ticket_limit, visit);
     };
     // A large cell has as many candidates as many small cells, so the number of cells in a chunk depends on the cell
@@ -260,7 +315,21 @@ struct Stage {
             forget_marks(block, count);
         }
     });
-    return code;
+}
+
+// Removes the candidates of cells that do not need more than the share of the order that is placed. Sets the share of
+// the area in which more is needed.
+void close_cells(double placed_share, Stage& stage) {
+    if (stage.needed.empty()) return;
+    stage.placed_share = static_cast<float>(placed_share);
+    double counted_area = 0.0;
+    for (std::int64_t c = 0; c < stage.cell.size(); ++c) {
+        if (stage.is_counted(c)) counted_area += double{stage.relative_area[c]};
+        if (stage.is_open(c)) continue;
+        stage.cell[c].groups = 0;
+        stage.store_lowest(static_cast<std::int32_t>(c), no_candidate);
+    }
+    stage.counted_share = counted_area / stage.whole_area;
 }
 
 // Sorts the cells into tiles. The turn of a tile is given by the parities of its coordinates, which are the last bits
@@ -289,7 +358,7 @@ void find_tiles(const base::Array<std::uint64_t>& code, Stage& stage) {
 
 // Puts the marks of earlier stages into cells. A mark outside all cells would have no effect, but `LastStageCells`
 // prevents this.
-void link_all(const OrderedMarks& marks, Stage& stage) {
+void link_all(const base::Array<OrderMark>& marks, Stage& stage) {
     base::Array<std::int32_t> cell(stage.site.memory(), marks.size());
     stage.site.work.for_chunks(marks.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) cell[i] = stage.cell_at(stage.code_at(vector(marks[i].position)));
@@ -517,18 +586,30 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
     return count;
 }
 
-// Keeps only the `room` marks of the last sweep with the lowest energies.
-void keep_lowest(const base::Array<float>& energy, std::int64_t room, PlacementOrder& order) {
-    HRBFNPR_ASSERT(room >= 0 && room < energy.size() && energy.size() <= order.mark.size());
+// The marks of a sweep.
+struct SweptMarks {
+    explicit SweptMarks(base::Memory& memory) noexcept : energy(memory), is_counted(memory) {}
+
+    base::Array<float> energy; // for each mark: its energy when it was placed
+    base::Array<std::uint8_t> is_counted;
+    std::int64_t counted = 0; // the number of marks that are counted
+};
+
+// Keeps only the `room` counted marks of the last sweep with the lowest energies, and the other marks with energies up
+// to theirs.
+void keep_lowest(const SweptMarks& swept, std::int64_t room, PlacementOrder& order) {
+    const base::Array<float>& energy = swept.energy;
+    HRBFNPR_ASSERT(room >= 0 && room < swept.counted && energy.size() <= order.mark.size());
     const std::int64_t first = order.mark.size() - energy.size();
-    base::Array<float> sorted(energy.memory(), energy.size());
-    std::copy(energy.begin(), energy.end(), sorted.begin());
+    base::Array<float> sorted(energy.memory());
+    for (std::int64_t i = 0; i < energy.size(); ++i)
+        if (swept.is_counted[i] != 0) sorted.push_back(energy[i]);
     std::nth_element(sorted.begin(), sorted.begin() + room, sorted.end());
     const float limit = sorted[room];
-    std::int64_t equal = room - std::count_if(energy.begin(), energy.end(), [&](float e) { return e < limit; });
+    std::int64_t equal = room - std::count_if(sorted.begin(), sorted.end(), [&](float e) { return e < limit; });
     std::int64_t kept = first;
     for (std::int64_t i = 0; i < energy.size(); ++i)
-        if (energy[i] < limit || (energy[i] == limit && equal-- > 0)) {
+        if (energy[i] < limit || (energy[i] == limit && swept.is_counted[i] != 0 && equal-- > 0)) {
             order.step[kept] = order.step[first + i];
             order.mark[kept++] = order.mark[first + i];
         }
@@ -538,12 +619,13 @@ void keep_lowest(const base::Array<float>& energy, std::int64_t room, PlacementO
 
 // Places marks that are at least the radius of a step away from all other marks, and have an energy below the threshold
 // of the step. In each tile, marks with lower energies are placed first, and at most `most_fresh` marks are placed.
-// Appends the marks tile by tile. If there are more than `room`, only those with the lowest energies are kept, and the
-// stage ends.
-void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, PlacementOrder& order) {
+// Appends the marks tile by tile. If there are more than `room` counted marks, only those with the lowest energies are
+// kept, and the stage ends. Returns the number of counted marks.
+[[nodiscard]] std::int64_t sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage,
+                                 PlacementOrder& order) {
     HRBFNPR_ASSERT(!steps.empty() && room > 0 && order.mark.size() == order.step.size());
-    order.sweep.push_back(order.mark.size());
-    base::Array<float> energy(stage.site.memory()); // for each mark of the sweep: its energy when it was placed
+    order.sweep.push_back({order.mark.size(), order.whole});
+    SweptMarks swept(stage.site.memory());
     const double nearest = stage.settings.move_clearance * steps.back().radius;
     stage.least_clearance = static_cast<float>(nearest * nearest);
     for (std::size_t turn = 0; turn < 8; ++turn) {
@@ -564,27 +646,37 @@ void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, Pl
                 const FreshMark& fresh = stage.fresh[most_fresh * t + k];
                 base::push_back_long(order.mark, fresh.mark, stage.site.work);
                 base::push_back_long(order.step, fresh.step, stage.site.work);
-                base::push_back_long(energy, fresh.energy, stage.site.work);
+                base::push_back_long(swept.energy, fresh.energy, stage.site.work);
+                const bool counted = stage.is_counted(fresh.cell);
+                swept.is_counted.push_back(counted ? 1 : 0);
+                swept.counted += counted ? 1 : 0;
                 if (!fresh.linked) stage.link_more(fresh.mark, fresh.cell);
             }
         }
     }
-    if (energy.size() > room) keep_lowest(energy, room, order);
+    if (swept.counted <= room) return swept.counted;
+    keep_lowest(swept, room, order);
+    return room;
 }
 
 // ---- Stage by stage
 
-// Places marks until there are `last` marks. Returns false if marks would have to be closer than `closest`, in
-// distances of the densest packing.
+// Places marks until the whole order has `last` marks. Returns false if marks would have to be closer than `closest`,
+// in distances of the densest packing.
 bool place_until(Stage& stage, double area, std::int64_t last, std::int64_t wanted, double closest,
                  PlacementOrder& order, const base::Progress& progress) {
     double distance = stipple_tuning.kept_distance;
     float threshold = stipple_tuning.least_threshold;
     // True if the sweep may have missed candidates that only its later steps open, far from its new marks.
     bool missed = false;
-    while (order.mark.size() < last) {
+    while (order.whole < static_cast<double>(last)) {
         progress.check();
-        const auto before = static_cast<double>(order.mark.size());
+        const double before = order.whole;
+        close_cells(before / static_cast<double>(wanted), stage);
+        if (!(stage.counted_share > 0.0)) {
+            order.whole = static_cast<double>(last);
+            break;
+        }
         const bool nearly_full = before > stipple_tuning.nearly_full * static_cast<double>(last);
         const bool many = before >= stipple_tuning.marks_for_many_steps && !nearly_full;
         std::array<SweepStep, steps_of_sweep> steps;
@@ -599,8 +691,10 @@ bool place_until(Stage& stage, double area, std::int64_t last, std::int64_t want
             steps[0] = steps[count - 1];
             count = 1;
         }
-        sweep({steps.data(), count}, last - order.mark.size(), stage, order);
-        const auto after = static_cast<double>(order.mark.size());
+        const double room = std::ceil((static_cast<double>(last) - before) * stage.counted_share);
+        const std::int64_t placed = sweep({steps.data(), count}, static_cast<std::int64_t>(room), stage, order);
+        order.whole = std::min(before + static_cast<double>(placed) / stage.counted_share, static_cast<double>(last));
+        const double after = order.whole;
         progress.update(after / static_cast<double>(wanted));
         if (after - before > stipple_tuning.poor_sweep * (expected - before)) {
             if (many) threshold *= static_cast<float>(std::pow(expected / after, stipple_tuning.threshold_power));
@@ -627,12 +721,11 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const LastStageC
     HRBFNPR_ASSERT(level >= last_stage.level);
     const double end = densest_distance(candidates.area, static_cast<double>(last));
     const double side = std::ldexp(candidates.grid.side, level);
-    const auto all = static_cast<double>(candidates.count);
-    const double taken = std::min(all, std::max(64.0, stipple_tuning.early_candidates * static_cast<double>(last)));
+    const double taken = OrderStages::candidates_of(last, candidates.whole);
     StageSettings settings;
     settings.level = level;
     settings.reach = std::min(side, stipple_tuning.energy_reach * end);
-    settings.ticket_limit = static_cast<std::uint64_t>(taken / all * 4294967296.0);
+    settings.ticket_limit = static_cast<std::uint64_t>(taken / candidates.whole * 4294967296.0);
     settings.move_clearance = std::max(stipple_tuning.move_clearance, 1.0 - static_cast<double>(last) / taken);
     // A candidate moves at most into an adjacent cell, and at most as far as its tangent plane follows the surface.
     // While a stage has many candidates for each mark, gaps contain many candidates, so only those with a large
@@ -641,7 +734,11 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const LastStageC
                                       stipple_tuning.farthest_move * candidates.grid.side);
     for (const double least : {stipple_tuning.least_distance, 0.0}) {
         Stage stage(site, candidates, last_stage, settings);
-        find_tiles(take_candidates(candidates, stage), stage);
+        const CellsOfStage cells = find_cells(candidates, stage);
+        find_tiles(cells.code, stage);
+        find_shares(candidates, cells, stage);
+        stage.placed_share = static_cast<float>(order.whole / static_cast<double>(wanted));
+        take_candidates(candidates, cells, stage);
         link_all(order.mark, stage);
         add_energy_of_marks(stage);
         // As float positions, points closer than 1e-7 diagonals are equal.
@@ -653,7 +750,7 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const LastStageC
 
 // Returns the marks of each step in random order. They are stored tile by tile, but any part of a step should be spread
 // like the whole step. The marks of a sweep stay consecutive.
-[[nodiscard]] OrderedMarks shuffled(const marks::Site& site, const PlacementOrder& order) {
+[[nodiscard]] OrderedMarks shuffled(const marks::Site& site, const PlacementOrder& order, bool is_whole) {
     struct KeyedMark {
         std::uint64_t bits; // The top eight bits are the step. The others are random.
         std::int64_t mark;
@@ -664,10 +761,13 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const LastStageC
     base::Array<KeyedMark> keyed(site.memory());
     OrderedMarks sorted(site.memory());
     keyed.resize_for_overwrite(count);
-    sorted.resize_for_overwrite(count);
+    sorted.mark.resize_for_overwrite(count);
+    sorted.whole = order.whole;
+    if (!is_whole) sorted.place.resize_for_overwrite(count);
     site.work.for_each(order.sweep.size(), [&](std::int64_t sweep) {
-        const std::int64_t begin = order.sweep[sweep];
-        const std::int64_t end = sweep + 1 < order.sweep.size() ? order.sweep[sweep + 1] : count;
+        const std::int64_t begin = order.sweep[sweep].first;
+        const bool is_last = sweep + 1 == order.sweep.size();
+        const std::int64_t end = is_last ? count : order.sweep[sweep + 1].first;
         for (std::int64_t i = begin; i < end; ++i) {
             std::uint64_t bits = 0;
             for (const float c : order.mark[i].position)
@@ -675,7 +775,13 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const LastStageC
             keyed[i] = {std::uint64_t{order.step[i]} << 56U | bits >> 8U, i};
         }
         std::sort(keyed.data() + begin, keyed.data() + end);
-        for (std::int64_t i = begin; i < end; ++i) sorted[i] = order.mark[keyed[i].mark];
+        for (std::int64_t i = begin; i < end; ++i) sorted.mark[i] = order.mark[keyed[i].mark];
+        if (is_whole) return;
+        const double before = order.sweep[sweep].before;
+        const double after = is_last ? order.whole : order.sweep[sweep + 1].before;
+        for (std::int64_t i = begin; i < end; ++i)
+            sorted.place[i] =
+                std::lerp(before, after, (static_cast<double>(i - begin) + 0.5) / static_cast<double>(end - begin));
     });
     return sorted;
 }
@@ -732,32 +838,24 @@ glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double
 }
 
 OrderedMarks progressive_order(const marks::Site& site, Candidates& candidates, std::int64_t wanted) {
+    if (candidates.count == 0 || wanted <= 0) return OrderedMarks(site.memory());
     PlacementOrder order(site.memory());
-    if (candidates.count == 0 || wanted <= 0) return std::move(order.mark);
-    const auto side = [&](std::int32_t level) { return std::ldexp(candidates.grid.side, level); };
-    const auto reach = [&](double marks) {
-        return stipple_tuning.energy_reach * densest_distance(candidates.area, marks);
-    };
-    LastStageCells last_stage{0, CellMap(site.memory())};
-    while (last_stage.level < CellGrid::bits &&
-           side(last_stage.level) < stipple_tuning.least_side_share * reach(static_cast<double>(wanted)))
-        ++last_stage.level;
+    const OrderStages stages{candidates.area, candidates.grid.side, wanted};
+    LastStageCells last_stage{stages.last_level(), CellMap(site.memory())};
     base::Array<std::uint64_t> codes(site.memory());
     for (const std::uint64_t code : candidates.code) {
         const std::uint64_t here = code >> static_cast<unsigned>(3 * last_stage.level);
         if (codes.empty() || codes.back() != here) codes.push_back(here);
     }
     last_stage.cells = CellMap(site.memory(), codes);
-    std::int32_t level = last_stage.level;
-    while (level < CellGrid::bits && side(level) < reach(1.0)) ++level;
-    for (bool has_room = true; has_room && level > last_stage.level; --level) {
-        // Up to this number of marks, the energies of a stage reach at least one cell side.
-        const double within = std::floor(std::pow(reach(1.0) / side(level), 2.0));
-        const std::int64_t last = std::min(static_cast<std::int64_t>(within), wanted);
-        if (last > order.mark.size()) has_room = run_stage(site, candidates, last_stage, level, last, wanted, order);
+    bool has_room = true;
+    for (std::int32_t level = stages.first_level(); has_room && level > last_stage.level; --level) {
+        const std::int64_t last = stages.marks_at_end(level);
+        if (static_cast<double>(last) > order.whole)
+            has_room = run_stage(site, candidates, last_stage, level, last, wanted, order);
     }
     run_stage(site, candidates, last_stage, last_stage.level, wanted, wanted, order);
-    return shuffled(site, order);
+    return shuffled(site, order, candidates.share.empty());
 }
 
 } // namespace hrbfnpr::stipples

@@ -81,6 +81,19 @@ struct StippleTuning {
     // trials in vain.
     double least_projections_per_trial = 1.0 / 256.0;
 
+    // ---- What a still picture needs (needed_cells.cpp)
+
+    // The first marks of an order are placed on the whole surface, even if the picture shows none of them. Larger: the
+    // box around the marks is closer to the box around the surface, in more time.
+    double needed_everywhere = 256.0;
+    // Candidates are drawn for a stage in a cell if the cell needs more than this share of the marks with which the
+    // stage begins. Smaller: fewer cells lack candidates if the area of the surface was estimated badly.
+    double early_share = 0.8;
+    // Each cell has at least this share of its candidates, and the whole surface has at least `fewest_for_area`. The
+    // area of the surface is measured by these candidates. Larger: a more accurate area, in more time.
+    double least_candidate_share = 1.0 / 32.0;
+    double fewest_for_area = 20000.0;
+
     // ---- The progressive order (progressive_order.cpp)
 
     // The least distance between marks, in distances of the densest packing of the same number of marks. Larger: more
