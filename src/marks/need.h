@@ -16,7 +16,8 @@ public:
     [[nodiscard]] virtual bool may_show(const glm::dvec3& place, const glm::dvec3& normal,
                                         double reach) const noexcept = 0;
     // Returns an upper bound for the share of a progressive order that the drawing needs at a place: 0 is no mark, 1 is
-    // all marks. `spacing` is the square root of the area of surface for each mark of the whole order.
+    // all marks. `spacing` is the square root of the area of surface for each mark of the whole order. `normal` is that
+    // of the marks, to within 8 degrees.
     [[nodiscard]] virtual double share(const glm::dvec3& place, const glm::dvec3& normal,
                                        double spacing) const noexcept = 0;
 

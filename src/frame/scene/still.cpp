@@ -8,9 +8,14 @@
 namespace hrbfnpr::frame {
 namespace {
 
-// The normals at a place may differ from the given one by at most 20 degrees.
-constexpr float normal_cosine = 0.93969262F;
-constexpr float normal_sine = 0.34202014F;
+// A cone of normals around a given one, by the cosine and the sine of its half angle.
+struct NormalCone {
+    float cosine, sine;
+};
+// The normals within the reach of a place: 20 degrees.
+constexpr NormalCone cone_of_surface{0.93969262F, 0.34202014F};
+// The normals that decide the tone of the marks at a place: 8 degrees.
+constexpr NormalCone cone_of_tone{0.99026807F, 0.13917310F};
 
 // Returns whether a part of the surface may face the eye, or, if `back`, may face away.
 [[nodiscard]] bool may_face(const ClusterView& at, bool back) noexcept {
@@ -37,13 +42,15 @@ StillView::StillView(base::Memory& memory, const Still& still, const geometry::B
     sight = sight_of(item, lens, frustum);
 }
 
-ClusterView StillView::view(const glm::dvec3& place, const glm::dvec3& normal, double reach) const noexcept {
+ClusterView StillView::view(const glm::dvec3& place, const glm::dvec3& normal, double reach,
+                            bool for_tone) const noexcept {
     marks::Extent extent;
     const glm::vec3 centre(place - origin);
     const glm::vec3 axis(normal);
     extent.radius = static_cast<float>(reach);
     extent.centre = {centre.x, centre.y, centre.z};
-    extent.cone = {{axis.x, axis.y, axis.z}, normal_cosine, normal_sine};
+    const NormalCone& cone = for_tone ? cone_of_tone : cone_of_surface;
+    extent.cone = {{axis.x, axis.y, axis.z}, cone.cosine, cone.sine};
     return view_cluster(extent, sight, lens, frustum);
 }
 
@@ -54,13 +61,13 @@ bool StillNeed::needs_other_side() const noexcept {
 }
 
 bool StillNeed::may_show(const glm::dvec3& place, const glm::dvec3& normal, double reach) const noexcept {
-    const ClusterView at = view_.view(place, normal, reach);
+    const ClusterView at = view_.view(place, normal, reach, false);
     if (at.beyond > scene_tuning.still_margin * view_.lens.diagonal) return false;
     return may_face(at, false) || needs_other_side();
 }
 
 double StillNeed::share(const glm::dvec3& place, const glm::dvec3& normal, double spacing) const noexcept {
-    const ClusterView at = view_.view(place, normal, spacing);
+    const ClusterView at = view_.view(place, normal, spacing, true);
     if (at.beyond > scene_tuning.still_margin * view_.lens.diagonal) return 0.0;
     if (!may_face(at, false) && !needs_other_side()) return 0.0;
     const float splats = layer_.may_be_splats ? share_of_splats(at, static_cast<float>(spacing)) : 0.0F;

@@ -24,7 +24,9 @@ struct StillView {
     // about. Throws Error{invalid_argument} if nothing can be drawn with the camera.
     StillView(base::Memory& memory, const Still& still, const geometry::Bounds& bounds, double unit);
 
-    [[nodiscard]] ClusterView view(const glm::dvec3& place, const glm::dvec3& normal, double reach) const noexcept;
+    // Returns bounds for a place and the normals around it. `for_tone`: only normals close to the given one.
+    [[nodiscard]] ClusterView view(const glm::dvec3& place, const glm::dvec3& normal, double reach,
+                                   bool for_tone) const noexcept;
 
     glm::dvec3 origin; // in `unit`
     Lens lens;
