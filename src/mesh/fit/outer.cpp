@@ -85,9 +85,10 @@ template <class Find, class ComponentOf>
 } // namespace
 
 bool is_inside(const FaceTree& tree, const glm::dvec3& place) noexcept {
-    int votes = 0;
-    for (const glm::dvec3& direction : ray_directions) votes += winds_around(tree, place, direction) ? 1 : 0;
-    return votes >= 2;
+    const bool first = winds_around(tree, place, ray_directions[0]);
+    const bool second = winds_around(tree, place, ray_directions[1]);
+    // The third ray is needed only if the first two disagree.
+    return first == second ? first : winds_around(tree, place, ray_directions[2]);
 }
 
 MeshSide side_of_mesh(const FaceTree& tree, const glm::dvec3& place) noexcept {

@@ -343,13 +343,15 @@ struct TreeChoice {
     double off = 0.0;       // the mean relative difference between the tree's values and distances
 };
 
-// Counts the tests that a tree fails. `value` holds the value of each sheet at each place.
+// Counts the tests that a tree fails. `value` holds the value of each sheet at each place. The count ends when it
+// exceeds `most`, because such a tree is not chosen.
 [[nodiscard]] TreeChoice count_failures(std::span<const std::int32_t> program, std::int64_t tree,
-                                        const TreeTests& tests, const base::Array<double>& value) noexcept {
+                                        const TreeTests& tests, const base::Array<double>& value,
+                                        std::int64_t most) noexcept {
     const std::int64_t count = tests.distance.size();
     TreeChoice choice;
     choice.tree = tree;
-    for (std::int64_t i = 0; i < count; ++i) {
+    for (std::int64_t i = 0; i < count && choice.wrong <= most; ++i) {
         double stack[ReadOnceTrees::most + 1];
         std::size_t depth = 0;
         for (const std::int32_t code : program) {
@@ -387,7 +389,8 @@ struct TreeChoice {
     const auto functions = static_cast<std::int32_t>(sheets.size());
     TreeChoice best;
     for (std::int64_t tree = 0; tree < task.trees.count(functions); ++tree) {
-        const TreeChoice choice = count_failures(task.trees.program(functions, tree), tree, tests, value);
+        const std::int64_t most = best.tree < 0 ? count : best.wrong;
+        const TreeChoice choice = count_failures(task.trees.program(functions, tree), tree, tests, value, most);
         const bool better = choice.wrong < best.wrong || (choice.wrong == best.wrong && choice.off < best.off);
         if (best.tree < 0 || better) best = choice;
     }
