@@ -41,6 +41,16 @@ public:
             visit(face_[at], t, glm::dot(doubled_area(corners_[at]), direction) > 0.0 ? 1 : -1);
         });
     }
+    // Returns the winding number at `place` minus that at `other`: the sum of the signs of the faces between them.
+    [[nodiscard]] int winding_beyond(const glm::dvec3& place, const glm::dvec3& other) const noexcept {
+        const glm::dvec3 way = other - place;
+        const double limit = 1.0;
+        int winding = 0;
+        walk<false>(place, way, 0.0, limit, [&](std::int64_t at, double) {
+            winding += glm::dot(doubled_area(corners_[at]), way) > 0.0 ? 1 : -1;
+        });
+        return winding;
+    }
 
     [[nodiscard]] std::int64_t bytes() const noexcept { return box_.bytes() + face_.bytes() + corners_.bytes(); }
 

@@ -12,10 +12,14 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-[[nodiscard]] bool winds_around(const FaceTree& tree, const glm::dvec3& place, const glm::dvec3& direction) noexcept {
+[[nodiscard]] int winding_along(const FaceTree& tree, const glm::dvec3& place, const glm::dvec3& direction) noexcept {
     int winding = 0;
     tree.crossings(place, direction, [&](std::int64_t, double, int sign) { winding += sign; });
-    return winding > 0;
+    return winding;
+}
+
+[[nodiscard]] bool winds_around(const FaceTree& tree, const glm::dvec3& place, const glm::dvec3& direction) noexcept {
+    return winding_along(tree, place, direction) > 0;
 }
 
 [[nodiscard]] bool may_overlap(const Mesh& mesh) noexcept { return mesh.report.closed && has_parts(mesh); }
@@ -89,6 +93,13 @@ bool is_inside(const FaceTree& tree, const glm::dvec3& place) noexcept {
     const bool second = winds_around(tree, place, ray_directions[1]);
     // The third ray is needed only if the first two disagree.
     return first == second ? first : winds_around(tree, place, ray_directions[2]);
+}
+
+int winding_number(const FaceTree& tree, const glm::dvec3& place) noexcept {
+    std::array<int, 3> windings;
+    for (std::size_t k = 0; k < 3; ++k) windings[k] = winding_along(tree, place, ray_directions[k]);
+    std::sort(windings.begin(), windings.end());
+    return windings[1];
 }
 
 MeshSide side_of_mesh(const FaceTree& tree, const glm::dvec3& place) noexcept {

@@ -13,6 +13,9 @@ namespace hrbfnpr::mesh {
 // Returns whether a place is inside a closed mesh. Three rays count the winding number, and the majority decides.
 [[nodiscard]] bool is_inside(const FaceTree& tree, const glm::dvec3& place) noexcept;
 
+// Returns the winding number of a closed mesh around a place, the middle one of three rays' counts.
+[[nodiscard]] int winding_number(const FaceTree& tree, const glm::dvec3& place) noexcept;
+
 enum class MeshSide : std::uint8_t { outside, inside, unsure };
 
 // Finds the side of a mesh with holes that a place is on. It uses more rays. The answer is `unsure` if too many rays

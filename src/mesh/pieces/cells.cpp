@@ -79,6 +79,40 @@ struct NearestPlace {
     bool inner = false; // true if the place is inside its face, not on an edge
 };
 
+// Finds whether places of a box are inside a solid. Rays find the winding numbers of three places of the box. Another
+// place of the box has the same number, plus the signs of the faces between the two. These are found faster than the
+// faces along a whole ray. The majority of the three decides, because a line may pass through an edge or a gap.
+class InsideOfBox {
+public:
+    explicit InsideOfBox(const FaceTree& tree) noexcept : tree_(tree), reference_{} {}
+    InsideOfBox(const FaceTree& tree, const glm::dvec3& centre, double half) noexcept : InsideOfBox(tree) {
+        constexpr double off_centre = 0.37; // in half sides of the box
+        for (std::size_t k = 0; k < reference_.size(); ++k) {
+            reference_[k].place = centre + off_centre * half * ray_directions[k];
+            reference_[k].winding = winding_number(tree, reference_[k].place);
+        }
+    }
+    // The mesh is farther than `free` from the place.
+    [[nodiscard]] bool contains(const glm::dvec3& place, double free) const noexcept {
+        const bool first = is_inside(reference_[0], place, free);
+        const bool second = is_inside(reference_[1], place, free);
+        return first == second ? first : is_inside(reference_[2], place, free);
+    }
+
+private:
+    struct Reference {
+        glm::dvec3 place{0.0};
+        int winding = 0;
+    };
+    [[nodiscard]] bool is_inside(const Reference& from, const glm::dvec3& place, double free) const noexcept {
+        const bool is_near = glm::distance(from.place, place) < 0.99 * free;
+        return from.winding + (is_near ? 0 : tree_.winding_beyond(place, from.place)) > 0;
+    }
+
+    const FaceTree& tree_;
+    std::array<Reference, 3> reference_;
+};
+
 // Finds on which side of the mesh a place lies. Usually the normal at the nearest place decides (Baerentzen and Aanaes,
 // "Signed distance computation using the angle weighted pseudonormal", 2005). Rays decide if the mesh is solid and has
 // several parts or is not closed, and where faces of a solid are folded upon each other, because normals are not
@@ -88,15 +122,11 @@ public:
     SignedDistances(const base::Work& work, const Mesh& mesh, const FaceTree& tree);
 
     [[nodiscard]] NearestPlace nearest_place(const glm::dvec3& place) const noexcept {
-        const FaceTree::Nearest nearest = tree_.nearest(place);
-        NearestPlace result{std::sqrt(nearest.squared), nearest.face, nearest.place, false};
-        const glm::dvec3 normal = pseudo_normal(nearest.face, nearest.place, result.inner);
-        const Triangle& t = mesh_.triangle[nearest.face];
-        const bool is_folded = folded_[t[0]] != 0 || folded_[t[1]] != 0 || folded_[t[2]] != 0;
-        const bool inside =
-            by_rays_ || (solid_ && is_folded) ? is_inside(tree_, place) : glm::dot(place - nearest.place, normal) < 0.0;
-        if (inside) result.distance = -result.distance;
-        return result;
+        return nearest_place(place, [&](double) { return is_inside(tree_, place); });
+    }
+    // The same for a place of a box.
+    [[nodiscard]] NearestPlace nearest_place(const glm::dvec3& place, const InsideOfBox& box) const noexcept {
+        return nearest_place(place, [&](double free) { return box.contains(place, free); });
     }
     // Returns the distance, at most `most`, that a point can move from a place inside a face along a direction while
     // that face remains the nearest part of the mesh.
@@ -104,16 +134,33 @@ public:
         const FaceTree::Hit hit = tree_.first_hit(place, 2.0 * most * along, 1e-6, 1.0);
         return hit.face < 0 ? most : 0.9 * hit.t * most;
     }
-    // Returns whether a place is on the outer surface of the mesh, not on a face inside another part.
-    [[nodiscard]] bool is_outer(const NearestPlace& nearest) const noexcept {
-        return !by_rays_ || !is_inside(tree_, nearest.place + off_ * normal_[nearest.face]) ||
-               !is_inside(tree_, nearest.place - off_ * normal_[nearest.face]);
+    // Returns whether a place of a box is on the outer surface of the mesh, not on a face inside another part.
+    [[nodiscard]] bool is_outer(const NearestPlace& nearest, const InsideOfBox& box) const noexcept {
+        return !by_rays_ || !box.contains(nearest.place + off_ * normal_[nearest.face], 0.0) ||
+               !box.contains(nearest.place - off_ * normal_[nearest.face], 0.0);
+    }
+    // Returns an object that answers nothing if normals always decide.
+    [[nodiscard]] InsideOfBox inside_of(const glm::dvec3& centre, double half) const noexcept {
+        return needs_rays_ ? InsideOfBox(tree_, centre, half) : InsideOfBox(tree_);
     }
     // Returns whether the mesh is solid: every place is either inside or outside.
     [[nodiscard]] bool solid() const noexcept { return solid_; }
     [[nodiscard]] const glm::dvec3& normal(std::int64_t face) const noexcept { return normal_[face]; }
 
 private:
+    // Calls by_rays(free) if the normal does not decide. The place is `free` away from the mesh.
+    template <class ByRays>
+    [[nodiscard]] NearestPlace nearest_place(const glm::dvec3& place, ByRays&& by_rays) const noexcept {
+        const FaceTree::Nearest nearest = tree_.nearest(place);
+        NearestPlace result{std::sqrt(nearest.squared), nearest.face, nearest.place, false};
+        const glm::dvec3 normal = pseudo_normal(nearest.face, nearest.place, result.inner);
+        const Triangle& t = mesh_.triangle[nearest.face];
+        const bool is_folded = folded_[t[0]] != 0 || folded_[t[1]] != 0 || folded_[t[2]] != 0;
+        const bool inside =
+            by_rays_ || (solid_ && is_folded) ? by_rays(result.distance) : glm::dot(place - nearest.place, normal) < 0.0;
+        if (inside) result.distance = -result.distance;
+        return result;
+    }
     [[nodiscard]] bool is_solid_by_rays(const base::Work& work, const base::Array<std::int64_t>& face) const;
     [[nodiscard]] glm::dvec3 pseudo_normal(std::int64_t face, const glm::dvec3& place, bool& inner) const noexcept;
 
@@ -126,6 +173,7 @@ private:
     double off_ = 0.0;
     bool solid_ = false;
     bool by_rays_ = false;
+    bool needs_rays_ = false; // true if rays decide at some place
 };
 
 // Returns faces evenly distributed by area. An even distribution by index would be wrong: the many small faces at the
@@ -163,6 +211,8 @@ SignedDistances::SignedDistances(const base::Work& work, const Mesh& mesh, const
     });
     solid_ = mesh.report.closed || is_solid_by_rays(work, faces_to_probe(mesh));
     by_rays_ = solid_ && (!mesh.report.closed || has_parts(mesh));
+    const bool folds = std::find(folded_.begin(), folded_.end(), std::uint8_t{1}) != folded_.end();
+    needs_rays_ = by_rays_ || (solid_ && folds);
 }
 
 // Returns whether rays agree with the orientation of nearly all of the given faces.
@@ -287,9 +337,9 @@ struct TreeTests {
 
 // Adds two kinds of tests. On the mesh, f should equal the sheet of the patch. Beside the mesh, on either side, f
 // should have the sign of that side.
-void test_on_surface(const CellTask& task, const CellBox& box, std::span<const std::int32_t> sheets,
-                     const NearestPlace& nearest, double step, TreeTests& tests) {
-    if (!box.contains(nearest.place) || !task.distances.is_outer(nearest)) return;
+void test_on_surface(const CellTask& task, const CellBox& box, const InsideOfBox& inside,
+                     std::span<const std::int32_t> sheets, const NearestPlace& nearest, double step, TreeTests& tests) {
+    if (!box.contains(nearest.place) || !task.distances.is_outer(nearest, inside)) return;
     const auto own = std::find(sheets.begin(), sheets.end(), task.creases.patch[nearest.face]);
     if (own == sheets.end()) return;
     const double slack = task.slack(nearest.face);
@@ -308,6 +358,7 @@ void test_on_surface(const CellTask& task, const CellBox& box, std::span<const s
                                      std::span<const std::int32_t> sheets, std::uint64_t cell) {
     constexpr std::uint32_t stream = 78;
     TreeTests tests(task.runtime.memory);
+    const InsideOfBox inside = task.distances.inside_of(box.centre, box.half);
     const std::int64_t n = cell_tuning.along;
     const double spacing = 2.0 * box.half / static_cast<double>(n);
     for (std::int64_t i = 0; i < n * n * n; ++i) {
@@ -315,10 +366,10 @@ void test_on_surface(const CellTask& task, const CellBox& box, std::span<const s
             base::uniform4(task.seed, cell * 1024U + static_cast<std::uint64_t>(i), base::Purpose::mesh_sample, stream);
         const glm::dvec3 in = glm::dvec3(i % n, i / n % n, i / (n * n)) + glm::dvec3(random[0], random[1], random[2]);
         const glm::dvec3 place = box.centre - box.half + spacing * in;
-        const NearestPlace nearest = task.distances.nearest_place(place);
+        const NearestPlace nearest = task.distances.nearest_place(place, inside);
         if (std::abs(nearest.distance) > task.slack(nearest.face)) tests.add(place, nearest.distance, 0.0, -1);
         if (i % 2 == 0)
-            test_on_surface(task, box, sheets, nearest, i % 4 == 0 ? cell_tuning.beside_step : cell_tuning.finer_step,
+            test_on_surface(task, box, inside, sheets, nearest, i % 4 == 0 ? cell_tuning.beside_step : cell_tuning.finer_step,
                             tests);
     }
     const std::size_t step =
@@ -327,11 +378,11 @@ void test_on_surface(const CellTask& task, const CellBox& box, std::span<const s
         const auto p = task.mesh.corners(faces[i]);
         const glm::dvec3 middle = middle_of(task.mesh, faces[i]);
         NearestPlace nearest{0.0, faces[i], middle, true};
-        test_on_surface(task, box, sheets, nearest, cell_tuning.finer_step, tests);
+        test_on_surface(task, box, inside, sheets, nearest, cell_tuning.finer_step, tests);
         for (std::size_t k = 0; k < 3; ++k) {
             const glm::dvec3 side = 0.5 * (p[k] + p[(k + 1) % 3]);
             nearest.place = side + std::min(1.0, 0.1 * box.half / glm::distance(side, middle)) * 0.5 * (middle - side);
-            test_on_surface(task, box, sheets, nearest, cell_tuning.finer_step, tests);
+            test_on_surface(task, box, inside, sheets, nearest, cell_tuning.finer_step, tests);
         }
     }
     return tests;
