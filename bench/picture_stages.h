@@ -16,7 +16,7 @@ struct PictureSettings {
 
 // What one picture took and holds, as numbers that can be sent between processes.
 struct PictureCost {
-    enum Stage { begin, mesh, sample, orient, fit, end, marks, lines, frame, write, stages };
+    enum Stage { begin, mesh, sample, orient, surface, end, marks, lines, frame, write, stages };
     std::array<double, stages> seconds; // `begin` is the context and a model that the caller makes
     double total;
     double placed;   // marks of all layers
@@ -35,7 +35,7 @@ namespace detail {
     case HRBFNPR_STAGE_SAMPLE: return PictureCost::sample;
     case HRBFNPR_STAGE_ORIENT:
     case HRBFNPR_STAGE_SMOOTH: return PictureCost::orient;
-    case HRBFNPR_STAGE_FIT: return PictureCost::fit;
+    case HRBFNPR_STAGE_FIT: return PictureCost::surface;
     case HRBFNPR_STAGE_COMPARE:
     case HRBFNPR_STAGE_END: return PictureCost::end;
     case HRBFNPR_STAGE_MARKS: return PictureCost::marks;
