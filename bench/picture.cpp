@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Time to picture by stage, for generated inputs in four styles. Each picture is made in a process of its own, whose
 // peak memory and processor time are printed, too. --only=INPUTS and --styles=NAMES: lists with commas between;
-// --runs=N: medians of N pictures; --size=N: pixels of the longer side; --threads=N; --limit=N: seconds after which a
-// picture counts as unfinished; --write=DIR: writes the inputs as files and makes no pictures.
+// --runs=N: medians of N pictures; --size=N: pixels of the longer side; --threads=N; --clock=processor: stages in
+// processor time of all threads, for busy machines; --limit=N: seconds after which a picture counts as unfinished;
+// --write=DIR: writes the inputs as files and makes no pictures.
 #include "picture_process.h"
 #include "picture_stages.h"
 
@@ -44,6 +45,7 @@ Options read_options(int argc, char** argv) {
     number("--limit=", options.limit);
     number("--size=", options.picture.size);
     number("--threads=", options.picture.threads);
+    options.picture.by_processor = bench::option(argc, argv, "--clock=") == "processor";
     return options;
 }
 
