@@ -111,6 +111,22 @@ def test_the_stub_names_the_fields_of_records():
         assert named == fields, node.name
 
 
+def test_the_import_makes_no_records_and_looks_for_no_compiler():
+    import subprocess
+    import sys
+
+    script = (
+        "import sys, hrbfnpr\n"
+        "assert 'ModelInfo' not in vars(hrbfnpr._records)\n"
+        "assert 'ctypes.util' not in sys.modules\n"
+        "assert hrbfnpr.ModelInfo is hrbfnpr._records.ModelInfo\n"
+        "assert 'ModelInfo' in vars(hrbfnpr) and 'TrimInfo' not in vars(hrbfnpr)\n"
+        "from hrbfnpr import *\n"
+        "assert TrimInfo is hrbfnpr.TrimInfo\n"
+    )
+    subprocess.run([sys.executable, "-c", script], check=True)
+
+
 def test_style_has_every_field_of_its_struct():
     import hrbfnpr
 

@@ -292,6 +292,17 @@ def test_help_and_version(capsys):
     assert capsys.readouterr().out == f"hrbfnpr {hrbfnpr.__version__}\n"
 
 
+def test_only_the_options_of_the_command_in_use_are_added():
+    from hrbfnpr.cli import _grammar
+
+    parser = _grammar.build()
+    commands = next(action for action in parser._actions if action.dest == "command").choices
+    arguments = parser.parse_args(["draw", "x.ply", "--size", "300"])
+    assert arguments.option_size == 300
+    assert len(commands["draw"]._actions) > 50 and len(commands["sheet"]._actions) == 1  # 1: --help
+    assert parser.parse_args(["draw", "y.ply"]).input == "y.ply"
+
+
 def test_a_failed_output_is_not_half_written(files, tmp_path, monkeypatch):
     from PIL import Image as pil
 

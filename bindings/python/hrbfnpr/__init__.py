@@ -54,28 +54,6 @@ from ._operation import Operation
 from ._orient import Oriented, orient
 from ._page import write_page
 from ._point_set import PointSet, StepPatches
-from ._records import (
-    Annotation,
-    Comparison,
-    ContextInfo,
-    CsgInfo,
-    DepthImageInfo,
-    DrawingInfo,
-    LayerInfo,
-    LineSetInfo,
-    MarkIdentity,
-    MeshEdgesInfo,
-    MeshFitInfo,
-    MeshInfo,
-    ModelInfo,
-    OrientInfo,
-    PageInfo,
-    PageItem,
-    Pen,
-    PlacementInfo,
-    PointSetInfo,
-    TrimInfo,
-)
 from ._renderer import Item, Renderer
 from ._style import LayerStyle, Style
 
@@ -100,7 +78,14 @@ __all__ = [
 
 # Imported on demand, because these modules need NumPy, and some of them other packages.
 _MODULES = ("shapes", "datasets", "batch")
+# Records are made on demand, because making a dataclass takes about a millisecond.
+_RECORDS = (
+    "Annotation", "Comparison", "ContextInfo", "CsgInfo", "DepthImageInfo", "DrawingInfo", "LayerInfo", "LineSetInfo",
+    "MarkIdentity", "MeshEdgesInfo", "MeshFitInfo", "MeshInfo", "ModelInfo", "OrientInfo", "PageInfo", "PageItem", "Pen",
+    "PlacementInfo", "PointSetInfo", "TrimInfo",
+)  # fmt: skip
 _ON_DEMAND = {
+    **dict.fromkeys(_RECORDS, "_records"),
     "Animation": "_animate", "DrawingWarning": "_report", "Note": "_report", "Picture": "_picture", "animate": "_animate",
     "draw": "_draw_call", "matplotlib_show": "_notebook", "widget": "_notebook", "Viewer": "_notebook",
 }  # fmt: skip
@@ -116,6 +101,28 @@ if TYPE_CHECKING:
     from ._notebook import matplotlib_show as matplotlib_show
     from ._notebook import widget as widget
     from ._picture import Picture as Picture
+    from ._records import (
+        Annotation,
+        Comparison,
+        ContextInfo,
+        CsgInfo,
+        DepthImageInfo,
+        DrawingInfo,
+        LayerInfo,
+        LineSetInfo,
+        MarkIdentity,
+        MeshEdgesInfo,
+        MeshFitInfo,
+        MeshInfo,
+        ModelInfo,
+        OrientInfo,
+        PageInfo,
+        PageItem,
+        Pen,
+        PlacementInfo,
+        PointSetInfo,
+        TrimInfo,
+    )
     from ._report import DrawingWarning as DrawingWarning
     from ._report import Note as Note
 

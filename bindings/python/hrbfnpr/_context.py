@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import json
 import threading
-from typing import Any, Callable, Optional
+from typing import TYPE_CHECKING, Any, Callable, Optional
 
+from . import _records
 from ._callbacks import CallbackState, plain_callback
 from ._errors import check, new_error, new_struct
 from ._handles import Owner, own
 from ._library import ffi, lib, library_path
 from ._names import INSTRUCTION_SETS, LOG_LEVELS, THREAD_BACKENDS, name_of, number_of
-from ._records import ContextInfo, get
+from ._records import get
+
+if TYPE_CHECKING:
+    from ._records import ContextInfo
 
 RunTasks = Callable[[Callable[[int], None], int], Any]
 
@@ -104,7 +108,7 @@ class Context(Owner):
     @property
     def info(self) -> ContextInfo:
         """The threads, the backend and the instruction set in use, and the memory now and at its peak."""
-        return get(ContextInfo, lib.hrbfnpr_context_get_info, self._handle)
+        return get(_records.ContextInfo, lib.hrbfnpr_context_get_info, self._handle)
 
     def __repr__(self) -> str:
         return "<hrbfnpr.Context closed>" if self.closed else f"<hrbfnpr.Context {self.info}>"

@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import math
 import numbers
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Type, TypeVar, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple, Type, TypeVar, Union
 
+from . import _records
 from ._arrays import vector
 from ._callbacks import check
 from ._errors import new_error, new_struct
 from ._handles import Owner, own
 from ._library import ffi, lib
 from ._names import CSG_KINDS
-from ._records import CsgInfo, get
+from ._records import get
+
+if TYPE_CHECKING:
+    from ._records import CsgInfo
 
 Self = TypeVar("Self", bound="Combining")
 Triple = Sequence[float]
@@ -243,4 +247,4 @@ class Combining(Owner):
     @property
     def csg_info(self) -> CsgInfo:
         """What the solid consists of, as `CsgInfo`."""
-        return get(CsgInfo, lib.hrbfnpr_model_get_csg_info, self._handle)
+        return get(_records.CsgInfo, lib.hrbfnpr_model_get_csg_info, self._handle)

@@ -2,14 +2,18 @@
 """Images of depth cameras: remove the sensor's noise, and find normals."""
 from __future__ import annotations
 
-from typing import NamedTuple, Optional
+from typing import TYPE_CHECKING, NamedTuple, Optional
 
+from . import _records
 from ._arrays import Array, block_in, output
 from ._context import Context, resolve
 from ._errors import new_struct
 from ._library import lib
 from ._operation import Operation, Progress, run
-from ._records import DepthImageInfo, read
+from ._records import read
+
+if TYPE_CHECKING:
+    from ._records import DepthImageInfo
 
 
 class SmoothedDepthImage(NamedTuple):
@@ -78,4 +82,4 @@ def smooth_depth_image(
     results = to_points, to_normals, info
     run(lib.hrbfnpr_smooth_depth_image, (context._handle, desc), operation, progress, context._handle, results=results)
     del keep
-    return SmoothedDepthImage(moved, normals, read(DepthImageInfo, info))
+    return SmoothedDepthImage(moved, normals, read(_records.DepthImageInfo, info))

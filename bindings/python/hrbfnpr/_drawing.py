@@ -5,9 +5,9 @@ from __future__ import annotations
 import io
 import os
 from functools import partial
-from typing import Any, BinaryIO, ClassVar, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, BinaryIO, ClassVar, List, NamedTuple, Optional, Sequence, Tuple, Union
 
-from . import _images, _page, _pictures
+from . import _images, _page, _pictures, _records
 from ._arrays import Array, block_in, new_array, output, output_field
 from ._callbacks import check
 from ._errors import new_error, new_struct
@@ -16,8 +16,11 @@ from ._library import ffi, lib
 from ._marks import MarkLayer
 from ._names import CLASSES, LINE_KINDS, PAGE_FORMATS, PRIMITIVES, name_of, number_of
 from ._numpy import np
-from ._records import DrawingInfo, DrawingLayerFields, MarkIdentity, PageInfo, PageItem, get, read
+from ._records import DrawingLayerFields, get, read
 from ._vertices import layout_of, vertex_array
+
+if TYPE_CHECKING:
+    from ._records import DrawingInfo, MarkIdentity, PageInfo
 
 _MOST_IN_NOTEBOOK = 20_000  # largest number of dots and strokes that a notebook shows as SVG
 
@@ -82,7 +85,7 @@ class Drawing(Owner):
     @property
     def info(self) -> DrawingInfo:
         """What the drawing holds, and what making it did."""
-        return get(DrawingInfo, lib.hrbfnpr_drawing_get_info, self._handle)
+        return get(_records.DrawingInfo, lib.hrbfnpr_drawing_get_info, self._handle)
 
     @property
     def layers(self) -> Tuple[DrawingLayerInfo, ...]:
@@ -347,7 +350,7 @@ class Drawing(Owner):
         InvalidArgumentError
             If no mark has this identity.
         """
-        return get(MarkIdentity, lib.hrbfnpr_drawing_identify, self._handle, int(id))
+        return get(_records.MarkIdentity, lib.hrbfnpr_drawing_identify, self._handle, int(id))
 
     def to_pil(self) -> Any:
         """Return the drawing as a PIL.Image.  Needs Pillow."""
@@ -377,7 +380,7 @@ class Drawing(Owner):
         """
         as_page = format.lower() if format is not None else _page.format_of(target)
         if as_page in PAGE_FORMATS:
-            item = PageItem(self, scale=options.pop("scale", _page.PIXEL))
+            item = _records.PageItem(self, scale=options.pop("scale", _page.PIXEL))
             return _page.write_page(target, item, format=as_page, **options)
         if options:
             raise TypeError(f"a picture has no option {', '.join(options)}: those are of vectors, as .svg and .pdf")

@@ -2,11 +2,10 @@
 """Finds and loads the C library, and checks that its version fits this package."""
 from __future__ import annotations
 
-import ctypes.util
 import os
 import sys
 from pathlib import Path
-from typing import Any, List, Tuple
+from typing import Any, Iterator, List, Tuple
 
 from ._cffi import ffi as _ffi
 
@@ -38,14 +37,17 @@ def _build_tree_candidates(package: Path) -> List[Path]:
     return found
 
 
-def _candidates() -> List[str]:
+def _candidates() -> Iterator[str]:
+    """The libraries to try.  Each is looked for only after those before it failed."""
     package = Path(__file__).resolve().parent
-    paths = [package / name for name in _file_names() if (package / name).is_file()]
-    paths += _build_tree_candidates(package)
-    names = [str(path) for path in paths]
-    names += _file_names()  # for the system's loader
-    by_linker = ctypes.util.find_library("hrbfnpr")
-    return names + ([by_linker] if by_linker else [])
+    yield from (str(package / name) for name in _file_names() if (package / name).is_file())
+    yield from map(str, _build_tree_candidates(package))
+    yield from _file_names()  # for the system's loader
+    from ctypes.util import find_library  # runs other programs
+
+    by_linker = find_library("hrbfnpr")
+    if by_linker:
+        yield by_linker
 
 
 def _open(name: str) -> Any:

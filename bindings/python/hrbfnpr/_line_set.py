@@ -2,8 +2,9 @@
 """Line sets, from which the contours and feature lines of a surface are drawn."""
 from __future__ import annotations
 
-from typing import Any, Iterable, List, Optional, Union
+from typing import TYPE_CHECKING, Any, Iterable, List, Optional, Union
 
+from . import _records
 from ._arrays import Array, block_in, vector
 from ._context import Context, resolve
 from ._errors import new_list, new_struct
@@ -11,7 +12,10 @@ from ._handles import Owner
 from ._library import lib
 from ._model import Model
 from ._operation import Operation, Progress, make
-from ._records import LineSetInfo, LinesFields, fill, get
+from ._records import LinesFields, fill, get
+
+if TYPE_CHECKING:
+    from ._records import LineSetInfo
 
 
 class Lines(LinesFields):
@@ -129,7 +133,7 @@ class LineSet(Owner):
     @property
     def info(self) -> LineSetInfo:
         """What making the line set found and did."""
-        return get(LineSetInfo, lib.hrbfnpr_line_set_get_info, self._handle)
+        return get(_records.LineSetInfo, lib.hrbfnpr_line_set_get_info, self._handle)
 
     @property
     def has_curvature(self) -> bool:

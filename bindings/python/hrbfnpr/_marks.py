@@ -2,12 +2,16 @@
 """The layers of a point set, as read-only arrays of marks."""
 from __future__ import annotations
 
-from typing import Any, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any, List, Optional, Tuple
 
+from . import _records
 from ._arrays import Array, view
 from ._library import lib
 from ._numpy import np
-from ._records import LayerInfo, PlacementInfo, get
+from ._records import get
+
+if TYPE_CHECKING:
+    from ._records import LayerInfo, PlacementInfo
 
 
 class MarkLayer:
@@ -30,14 +34,14 @@ class MarkLayer:
     def info(self) -> LayerInfo:
         """What the layer holds, and how long it took."""
         if self._info is None:
-            self._info = get(LayerInfo, lib.hrbfnpr_point_set_get_layer_info, self._handle, self._number)
+            self._info = get(_records.LayerInfo, lib.hrbfnpr_point_set_get_layer_info, self._handle, self._number)
         return self._info
 
     @property
     def placement(self) -> Tuple[PlacementInfo, ...]:
         """What became of the candidates for marks, for each level."""
         asked = lib.hrbfnpr_point_set_get_placement, self._handle, self._number
-        return tuple(get(PlacementInfo, *asked, level) for level in range(self.info.levels + 1))
+        return tuple(get(_records.PlacementInfo, *asked, level) for level in range(self.info.levels + 1))
 
     @property
     def kind(self) -> str:

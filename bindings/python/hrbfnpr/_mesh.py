@@ -2,8 +2,9 @@
 """Triangle meshes: repaired, sampled, and compared with surfaces."""
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Optional, Tuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Tuple
 
+from . import _records
 from ._arrays import INDICES, Array, block_in, new_array, output, reshaped, view
 from ._context import Context, resolve
 from ._errors import new_struct
@@ -11,7 +12,10 @@ from ._handles import Owner
 from ._library import lib
 from ._names import EDGES, FACES, PARTS, number_of
 from ._operation import Operation, Progress, make, run
-from ._records import MeshEdgesInfo, MeshInfo, get, read
+from ._records import get, read
+
+if TYPE_CHECKING:
+    from ._records import MeshEdgesInfo, MeshInfo
 
 
 class MeshSamples(NamedTuple):
@@ -105,7 +109,7 @@ class Mesh(Owner):
     @property
     def info(self) -> MeshInfo:
         """What making the mesh found and did."""
-        return get(MeshInfo, lib.hrbfnpr_mesh_get_info, self._handle)
+        return get(_records.MeshInfo, lib.hrbfnpr_mesh_get_info, self._handle)
 
     @property
     def _view(self) -> Tuple[Any, ...]:
@@ -199,7 +203,7 @@ class Mesh(Owner):
         sharp, sharp_out = output("sharp", new_array((count, 3), "i"), (count,), 3, "i")
         given = self._handle, desc, patches_out, sharp_out, info
         run(lib.hrbfnpr_mesh_edges, given, operation, progress, self._made_in._handle)
-        return MeshEdges(sharp, patches, read(MeshEdgesInfo, info))
+        return MeshEdges(sharp, patches, read(_records.MeshEdgesInfo, info))
 
     def __repr__(self) -> str:
         if self.closed:

@@ -2,14 +2,18 @@
 """Models and meshes: fit a model to a mesh, and compare the two."""
 from __future__ import annotations
 
-from typing import Any, Optional, Type, TypeVar
+from typing import TYPE_CHECKING, Any, Optional, Type, TypeVar
 
+from . import _records
 from ._errors import new_struct
 from ._library import lib
 from ._mesh import Mesh
 from ._names import EDGES, KERNELS, SOLVERS, TRIMS, number_of
 from ._operation import Operation, Progress, make
-from ._records import Comparison, MeshFitInfo, read
+from ._records import read
+
+if TYPE_CHECKING:
+    from ._records import Comparison, MeshFitInfo
 
 M = TypeVar("M", bound="MeshFits")
 
@@ -108,7 +112,7 @@ class MeshFits:
         given = mesh._handle, desc, options, info
         made = make("model", lib.hrbfnpr_model_fit_mesh, given, operation, progress, context._handle, context)
         model: Any = cls(made, context)  # type: ignore[call-arg]
-        model.mesh_fit = read(MeshFitInfo, info)
+        model.mesh_fit = read(_records.MeshFitInfo, info)
         return model  # type: ignore[no-any-return]
 
     def compare(
@@ -155,4 +159,4 @@ class MeshFits:
         desc.tolerance, desc.far, desc.support = tolerance, far, support
         desc.points, desc.cell_size, desc.random_seed = points, cell_size, random_seed
         self._run(lib.hrbfnpr_model_compare_mesh, (mesh._handle, desc, result), operation, progress)
-        return read(Comparison, result)
+        return read(_records.Comparison, result)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Callable, Optional, Tuple, Union
 
-from . import _streams
+from . import _records, _streams
 from ._arrays import Array, block_in, float_code, output, output_field, scalar, vector, view
 from ._callbacks import check
 from ._context import Context, resolve
@@ -19,12 +19,13 @@ from ._model_results import Curvature, Evaluation, Projection, RayHits
 from ._numpy import np
 from ._operation import Operation, Progress, make, run
 from ._rays import HitArrays, pairs
-from ._records import ModelInfo, Vector, get
+from ._records import Vector, get
 from ._trim import Trimming
 
 if TYPE_CHECKING:
     from ._layer import LayersToMake
     from ._point_set import PointSet
+    from ._records import ModelInfo
 
 Function = Callable[[Array], Any]
 
@@ -446,7 +447,7 @@ class Model(MeshFits, Trimming, Combining):
     @property
     def info(self) -> ModelInfo:
         """What the fit found and did."""
-        return get(ModelInfo, lib.hrbfnpr_model_get_info, self._handle)
+        return get(_records.ModelInfo, lib.hrbfnpr_model_get_info, self._handle)
 
     @property
     def bounds(self) -> Tuple[Vector, Vector]:

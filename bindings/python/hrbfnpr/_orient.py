@@ -2,8 +2,9 @@
 """Normals for points that have none or wrong ones."""
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Optional
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional
 
+from . import _records
 from ._arrays import Array, block_in, output, vector
 from ._context import Context, resolve
 from ._errors import new_struct
@@ -11,7 +12,10 @@ from ._fit_desc import fill_normals
 from ._library import lib
 from ._names import NORMALS, number_of
 from ._operation import Operation, Progress, run
-from ._records import OrientInfo, read
+from ._records import read
+
+if TYPE_CHECKING:
+    from ._records import OrientInfo
 
 
 class Oriented(NamedTuple):
@@ -83,4 +87,4 @@ def orient(
     info = new_struct("hrbfnpr_orient_info")
     run(lib.hrbfnpr_orient, (context._handle, desc), operation, progress, context._handle, results=(target, info))
     del keep
-    return Oriented(result, read(OrientInfo, info))
+    return Oriented(result, read(_records.OrientInfo, info))

@@ -5,17 +5,18 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any, BinaryIO, List, Optional, Sequence, Union, cast
 
-from . import _streams
+from . import _records, _streams
 from ._callbacks import CallbackState, check
 from ._context import Context, resolve
 from ._errors import new_error, new_struct
 from ._library import ffi, lib
 from ._names import DOT_SHAPES, PAGE_FORMATS, WIDTHS, number_of
 from ._operation import Operation, Progress, running
-from ._records import Annotation, PageInfo, PageItem, Pen, fill_list, read, text_in
+from ._records import fill_list, read, text_in
 
 if TYPE_CHECKING:
     from ._drawing import Drawing
+    from ._records import Annotation, PageInfo, PageItem, Pen
 
 Target = Union[str, "os.PathLike[str]", BinaryIO]
 PIXEL = 25.4 / 96  # size of a pixel in mm, as in CSS
@@ -103,7 +104,7 @@ def write_page(
         If the file cannot be created.
     """
     if not isinstance(items, (list, tuple)):
-        items = [items if isinstance(items, PageItem) else PageItem(cast("Drawing", items))]
+        items = [items if isinstance(items, _records.PageItem) else _records.PageItem(cast("Drawing", items))]
     desc, info, error = new_struct("hrbfnpr_page_desc"), new_struct("hrbfnpr_page_info"), new_error()
     keep: List[Any] = []
     desc.format = number_of("format", PAGE_FORMATS, format or format_of(target) or "svg")
@@ -116,7 +117,10 @@ def write_page(
         if name not in _OPTIONS:
             raise TypeError(f"write_page() has no option {name!r}; it has {', '.join(_OPTIONS)}")
         setattr(desc, name, text_in(keep, value) if name in _STRINGS else value)
-    for name, kind, given in (("item", PageItem, items), ("pen", Pen, pens), ("annotation", Annotation, annotations)):
+    lists = (
+        ("item", _records.PageItem, items), ("pen", _records.Pen, pens), ("annotation", _records.Annotation, annotations),
+    )  # fmt: skip
+    for name, kind, given in lists:
         fill_list(desc, name, kind, given, keep)
     handle = resolve(context)._handle
 
@@ -132,7 +136,7 @@ def write_page(
     else:
         to_file(target)
     del keep
-    return read(PageInfo, info)
+    return read(_records.PageInfo, info)
 
 
 _OPTIONS = (

@@ -24,7 +24,8 @@ def format_of(target: Union[str, "os.PathLike[str]", BinaryIO]) -> str:
     from PIL import Image
 
     ending = os.path.splitext(os.fspath(target))[1].lower() if isinstance(target, (str, os.PathLike)) else ""
-    format = Image.registered_extensions().get(ending, "PNG" if not ending else None)
+    Image.preinit()  # loads only the usual formats, which takes less time than all
+    format = Image.EXTENSION.get(ending) or Image.registered_extensions().get(ending) if ending else "PNG"
     if format is None or format not in Image.SAVE:
         raise ValueError(f"no picture format is known for the ending {ending!r}; use .png")
     return str(format)

@@ -2,9 +2,9 @@
 """Point sets: layers of marks on a surface."""
 from __future__ import annotations
 
-from typing import Any, Iterable, List, NamedTuple, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Iterable, List, NamedTuple, Optional, Tuple, Union
 
-from . import _streams
+from . import _records, _streams
 from ._arrays import Array, block_in, output
 from ._callbacks import CallbackState, check
 from ._context import Context, resolve
@@ -16,7 +16,10 @@ from ._marks import MarkLayer
 from ._model import Model
 from ._names import DISTRIBUTIONS, SEED_SOURCES, TONE_RANGES, number_of
 from ._operation import Operation, Progress, make, run
-from ._records import PlacementInfo, PointSetInfo, Vector, get
+from ._records import Vector, get
+
+if TYPE_CHECKING:
+    from ._records import PlacementInfo, PointSetInfo
 
 
 class StepPatches(NamedTuple):
@@ -282,13 +285,13 @@ class PointSet(Owner):
     def info(self) -> PointSetInfo:
         """Counts and times of the whole set.  Each layer has its own `info`."""
         if self._info is None:
-            self._info = get(PointSetInfo, lib.hrbfnpr_point_set_get_info, self._handle)
+            self._info = get(_records.PointSetInfo, lib.hrbfnpr_point_set_get_info, self._handle)
         return self._info
 
     @property
     def seed_placement(self) -> PlacementInfo:
         """What became of the candidates for seeds."""
-        return get(PlacementInfo, lib.hrbfnpr_point_set_get_seed_placement, self._handle)
+        return get(_records.PlacementInfo, lib.hrbfnpr_point_set_get_seed_placement, self._handle)
 
     @property
     def layers(self) -> Tuple[MarkLayer, ...]:

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Makes the classes with the fields of structs from `_records.json`, which bindings/generate makes from the header.
 
-`_records.pyi` describes them to type checkers and editors.
+A class is made when it is first used.  Other modules therefore write `_records.ModelInfo` where they use one, and import
+names for annotations only.  `_records.pyi` describes the classes to type checkers and editors.
 """
 from __future__ import annotations
 
@@ -126,9 +127,19 @@ def fill_list(desc: Any, name: str, kind: Any, given: Sequence[Any], keep: List[
     keep.append(structs)
 
 
-for _name, _entry in TABLE["records"].items():
-    globals()[_name] = _record(_name, **_entry)
-for _name, _entry in TABLE["described"].items():
-    globals()[_name] = _described(_name, **_entry)
-for _name, _rows in TABLE["styles"].items():
-    globals()[_name] = type(_name, (Attributes,), {"__module__": __name__, **{row[0]: field_of(*row[1:]) for row in _rows}})
+def _attributes(name: str, rows: List[Any]) -> type:
+    return type(name, (Attributes,), {"__module__": __name__, **{row[0]: field_of(*row[1:]) for row in rows}})
+
+
+def __getattr__(name: str) -> Any:
+    """Make a class when it is first used.  Making all of them would take longer than the rest of the import."""
+    if name in TABLE["records"]:
+        made = _record(name, **TABLE["records"][name])
+    elif name in TABLE["described"]:
+        made = _described(name, **TABLE["described"][name])
+    elif name in TABLE["styles"]:
+        made = _attributes(name, TABLE["styles"][name])
+    else:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    globals()[name] = made
+    return made

@@ -9,7 +9,7 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 
-from . import _values
+from . import _records, _values
 from ._arrays import block_in
 from ._errors import new_list, new_struct
 from ._library import ffi, lib
@@ -17,7 +17,7 @@ from ._model import Model
 from ._names import NORMALS
 from ._options import OPTIONS, Option
 from ._point_set import PointSet
-from ._records import Pen, fill_list, text_in
+from ._records import fill_list, text_in
 
 Options = Dict[str, Any]
 """Values by option name, as `_values.py` reads them.  Options that are not given are missing."""
@@ -277,7 +277,7 @@ def describe_page(options: Options, format: str) -> Tuple[Any, List[Any]]:
         elif row.choices:
             setattr(page, field, constant(f"{_CHOICES[field]}_{value}"))
         elif field == "pens":
-            fill_list(page, "pen", Pen, value, keep)
+            fill_list(page, "pen", _records.Pen, value, keep)
         elif field == "pen_widths":
             keep.append(block_in(field, np.array(value, dtype=float), 1, "d").fill(whole.pen_widths))
         elif field in ("paper", "paper_margin"):

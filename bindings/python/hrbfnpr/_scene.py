@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 import threading
 from contextlib import contextmanager
-from typing import Any, Callable, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
-from . import _streams
+from . import _records, _streams
 from ._arrays import Array
 from ._callbacks import CallbackState, callback, check
 from ._camera import Camera
@@ -23,11 +23,14 @@ from ._names import PRESETS
 from ._operation import running
 from ._page import format_of
 from ._point_set import PointSet
-from ._records import PageInfo, read
+from ._records import read
 from ._report import Reporter
 from ._request import Options, describe, describe_page, fill_source, in_names
 from ._style import Style
 from ._values import words_of
+
+if TYPE_CHECKING:
+    from ._records import PageInfo
 
 Source = Union[Any, Model, PointSet, Tuple[Model, PointSet]]
 """A Shape, a model, a point set, or a model with its point set."""
@@ -335,7 +338,7 @@ class Scene(Owner):
         arguments = drawing._handle, camera._struct, desc
         self._written(target, lib.hrbfnpr_picture_write, arguments, info, report)
         del keep
-        return read(PageInfo, info)
+        return read(_records.PageInfo, info)
 
     def write_views(self, target: Any, desc: Any, report: Reporter) -> Any:
         """Write a sheet of views.  Returns a hrbfnpr_views_info."""

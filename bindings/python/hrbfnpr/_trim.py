@@ -2,15 +2,19 @@
 """Trimming: where the surface of a model ends."""
 from __future__ import annotations
 
-from typing import Any, Optional, TypeVar
+from typing import TYPE_CHECKING, Any, Optional, TypeVar
 
+from . import _records
 from ._arrays import Array, block_in
 from ._errors import new_struct
 from ._function import FunctionState
 from ._handles import Owner
 from ._library import lib
 from ._operation import Operation, Progress, make
-from ._records import TrimInfo, get
+from ._records import get
+
+if TYPE_CHECKING:
+    from ._records import TrimInfo
 
 Self = TypeVar("Self", bound="Trimming")
 
@@ -93,4 +97,4 @@ class Trimming(Owner):
     @property
     def trim_info(self) -> TrimInfo:
         """What the last `trim` left out."""
-        return get(TrimInfo, lib.hrbfnpr_model_get_trim_info, self._handle)
+        return get(_records.TrimInfo, lib.hrbfnpr_model_get_trim_info, self._handle)

@@ -6,12 +6,15 @@ import argparse
 import math
 import os
 import re
-from typing import Any, Callable, Dict, List, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple, Union
 
+from . import _records
 from ._fields import color
 from ._names import LAYER_KINDS, LINE_KINDS, LINE_TYPES, MADE_KINDS, PRESETS, number_of
-from ._records import Pen
 from ._style import LayerStyle, Style
+
+if TYPE_CHECKING:
+    from ._records import Pen
 
 Vector = Tuple[float, float, float]
 MADE = MADE_KINDS
@@ -260,7 +263,7 @@ def pens(text: str) -> List[Pen]:
         try:
             line_type = kind or "as_drawn"
             number_of("type", LINE_TYPES, line_type)
-            found.append(Pen(groups, _width(width), color("colour", ink) if ink else None, i + 1, line_type))
+            found.append(_records.Pen(groups, _width(width), color("colour", ink) if ink else None, i + 1, line_type))
         except ValueError as error:
             raise wrong(f"{part!r}: {error}") from None
     return found

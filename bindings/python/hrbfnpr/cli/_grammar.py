@@ -27,7 +27,18 @@ _SURFACE_GROUPS = ("fit", "samples")
 
 
 class Parser(argparse.ArgumentParser):
-    """A parser that prints an error as one line, without the usage."""
+    """A parser that prints an error as one line, without the usage.
+
+    `add_options` adds its options when they are first needed, because a run needs those of one command only.
+    """
+
+    add_options: Optional[Callable[[Parser], None]] = None
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        if self.add_options is not None:
+            add, self.add_options = self.add_options, None
+            add(self)
+        return super().parse_known_args(args, namespace)
 
     def error(self, message: str) -> NoReturn:
         sys.stderr.write(f"hrbfnpr: error: {message} (see {self.prog} --help)\n")
@@ -210,9 +221,13 @@ def build() -> Parser:
     def add(name: str, short: str, long: str, fill: Callable[[Parser], None], what: str, metavar: str = "INPUT",
             nargs: Any = None) -> None:  # fmt: skip
         command = commands.add_parser(name, help=short, description=long)
-        command.add_argument("input", metavar=metavar, nargs=nargs, help=what)
-        fill(command)
-        _add_common(command)
+
+        def add_options(parser: Parser) -> None:
+            parser.add_argument("input", metavar=metavar, nargs=nargs, help=what)
+            fill(parser)
+            _add_common(parser)
+
+        command.add_options = add_options
 
     def add_sheet(sheet: Parser) -> None:
         _add_output(sheet, "-sheet.png")
