@@ -7,6 +7,8 @@
 #include "picture_process.h"
 #include "picture_stages.h"
 
+#include <numeric>
+
 namespace {
 
 using bench::PictureCost;
@@ -65,11 +67,12 @@ struct Row {
     PictureCost cost;
     bench::ProcessUse use;
 
-    // The share of the time that went into marks which this camera cannot show: marks outside the picture or on the far
-    // side. The time of the marks' stage is divided evenly among all marks that were placed.
+    // The share of the stages' time that went into marks which this camera cannot show: marks outside the picture or on
+    // the far side. The time of the marks' stage is divided evenly among all marks that were placed.
     [[nodiscard]] double unneeded_share() const {
         if (cost.placed == 0.0) return 0.0;
-        return cost.seconds[PictureCost::marks] * (1.0 - cost.possible / cost.placed) / cost.total;
+        const double all = std::accumulate(cost.seconds.begin(), cost.seconds.end(), 0.0);
+        return cost.seconds[PictureCost::marks] * (1.0 - cost.possible / cost.placed) / all;
     }
     [[nodiscard]] double shown_share() const { return cost.placed == 0.0 ? 0.0 : cost.shown / cost.placed; }
 };
