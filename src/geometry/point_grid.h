@@ -21,9 +21,14 @@ public:
     // Returns `values` in the grid's order, so that values that are visited together are close in memory.
     [[nodiscard]] VecArray in_order(const VecArray& values, const base::Progress& progress = {}) const;
 
-    // Calls visit(at) once for every point within the radius of p, and for some points farther away.
+    // Calls visit(at) once for every point within the radius of p, or of some place in a box, and for some points
+    // farther away. The order in which two points are visited does not depend on p or on the box.
     template <class Visit>
-    void around(const glm::dvec3& p, Visit&& visit) const;
+    void around(const glm::dvec3& p, Visit&& visit) const {
+        around(Bounds{p, p}, visit);
+    }
+    template <class Visit>
+    void around(const Bounds& box, Visit&& visit) const;
     [[nodiscard]] bool any_around(const glm::dvec3& p) const {
         bool any = false;
         around(p, [&](std::int64_t) { any = true; });
@@ -44,9 +49,9 @@ private:
 };
 
 template <class Visit>
-void PointGrid::around(const glm::dvec3& p, Visit&& visit) const {
-    const CellGrid::Cell low = grid_.cell_of(p - radius_);
-    const CellGrid::Cell high = grid_.cell_of(p + radius_);
+void PointGrid::around(const Bounds& box, Visit&& visit) const {
+    const CellGrid::Cell low = grid_.cell_of(box.min - radius_);
+    const CellGrid::Cell high = grid_.cell_of(box.max + radius_);
     for (std::int64_t z = low[2]; z <= high[2]; ++z)
         for (std::int64_t y = low[1]; y <= high[1]; ++y)
             for (std::int64_t x = low[0]; x <= high[0]; ++x) {

@@ -9,6 +9,7 @@
 #include "geometry/point_tree.h"
 #include "geometry/tangent_frame.h"
 #include "geometry/unit.h"
+#include "marks/normal_loops.h"
 #include "marks/tuning.h"
 #include "surface/creased.h"
 #include "surface/curvature.h"
@@ -56,6 +57,72 @@ std::int64_t occupied_cells(base::Memory& memory, const geometry::VecArray& poin
         cells.insert(geometry::CellGrid::pack(grid.cell_of(points[i])));
     }
     return cells.size();
+}
+
+// The marks whose normals are averaged: one of `each` marks, sorted into a grid.
+class AveragedMarks {
+public:
+    AveragedMarks(const Site& site, const Marks& marks, const base::Array<std::int32_t>& sheets, std::int64_t each,
+                  double radius)
+        : radius_(radius), grid_(some(site, marks.position, each), radius, site.work),
+          position_(grid_.in_order(some(site, marks.position, each), site.work)),
+          normal_(grid_.in_order(some(site, marks.normal, each), site.work)), sheet_(site.memory()) {
+        if (sheets.empty()) return;
+        sheet_.resize_for_overwrite(grid_.size());
+        for (const std::int64_t at : site.work.over(grid_.size())) {
+            sheet_[at] = static_cast<double>(sheets[grid_.index(at) * each]);
+        }
+    }
+
+    [[nodiscard]] PointsWithNormals points() const noexcept {
+        return {position_.x.data(),
+                position_.y.data(),
+                position_.z.data(),
+                normal_.x.data(),
+                normal_.y.data(),
+                normal_.z.data(),
+                sheet_.empty() ? nullptr : sheet_.data()};
+    }
+
+    // Finds the marks in a box that is larger by the radius.
+    void find_around(const geometry::Bounds& box, base::Array<std::int32_t>& found) const {
+        found.clear();
+        const geometry::Bounds larger = box.grown(radius_);
+        grid_.around(box, [&](std::int64_t at) {
+            if (larger.contains(position_[at])) found.push_back(static_cast<std::int32_t>(at));
+        });
+    }
+
+private:
+    [[nodiscard]] static geometry::VecArray some(const Site& site, const geometry::VecArray& all, std::int64_t each) {
+        geometry::VecArray some(site.memory());
+        for (std::int64_t i = 0; i < all.size(); i += each) some.push_back(all[i]);
+        return some;
+    }
+
+    double radius_;
+    geometry::PointGrid grid_;
+    geometry::VecArray position_, normal_;
+    base::Array<double> sheet_; // empty if the surface is smooth
+};
+
+// Returns the sums for the marks begin to end - 1 with their own normals. Lanes without a mark repeat the first mark.
+[[nodiscard]] NormalSums sums_for(const Marks& marks, const base::Array<std::int32_t>& sheet, std::int64_t begin,
+                                  std::int64_t end) noexcept {
+    NormalSums sums;
+    for (std::int64_t lane = 0; lane < NormalSums::size; ++lane) {
+        const std::int64_t i = begin + lane < end ? begin + lane : begin;
+        const glm::dvec3 place = marks.position[i];
+        const glm::dvec3 normal = marks.normal[i];
+        sums.x[lane] = place.x;
+        sums.y[lane] = place.y;
+        sums.z[lane] = place.z;
+        sums.nx[lane] = sums.sum_x[lane] = normal.x;
+        sums.ny[lane] = sums.sum_y[lane] = normal.y;
+        sums.nz[lane] = sums.sum_z[lane] = normal.z;
+        sums.sheet[lane] = sheet.empty() ? 0.0 : static_cast<double>(sheet[i]);
+    }
+    return sums;
 }
 
 } // namespace
@@ -157,46 +224,38 @@ double covered_spacing(const base::Work& work, const geometry::VecArray& points)
     return std::sqrt(area / count);
 }
 
+// Consecutive marks are mostly on one stroke and near each other, so several of them are averaged together. Each mark's
+// own normal is included once, so that there is at least one normal.
 void average_normals(const Site& site, const Marks& marks, double length, double spacing, base::Array<float>& result) {
     HRBFNPR_ASSERT(length > 0.0 && spacing > 0.0);
     const double radius = marks_tuning.tone_reach * length;
     const double within = std::numbers::pi * radius * radius / (spacing * spacing);
     const auto each = static_cast<std::int64_t>(std::clamp(within / marks_tuning.tone_marks, 1.0, 1e6));
     const base::Array<std::int32_t> sheet = surface::sheets_at(site.work, site.implicit, marks.position);
-    geometry::VecArray some(site.memory()); // the subset of marks whose normals are averaged
-    geometry::VecArray some_normals(site.memory());
-    for (std::int64_t i = 0; i < marks.count(); i += each) {
-        some.push_back(marks.position[i]);
-        some_normals.push_back(marks.normal[i]);
-    }
-    const geometry::PointGrid grid(some, radius, site.work);
-    const geometry::VecArray position = grid.in_order(some, site.work);
-    const geometry::VecArray normal = grid.in_order(some_normals, site.work);
-    // The mark's own normal is included once, so that there is at least one normal. The distance is tested first,
-    // because most places are too far away.
-    const auto averaged = [&](std::int64_t i) {
-        const glm::dvec3 place = marks.position[i];
-        const glm::dvec3 own = marks.normal[i];
-        glm::dvec3 sum = own;
-        grid.around(place, [&](std::int64_t at) {
-            const glm::dvec3 way = position[at] - place;
-            const double square = glm::dot(way, way);
-            if (!(square < radius * radius)) return;
-            const double agree = glm::dot(own, normal[at]);
-            const double height = glm::dot(way, own);
-            const double steepest = marks_tuning.tone_steepest;
-            if (!(agree > 0.0) || height * height > steepest * steepest * square) return;
-            if (!sheet.empty() && surface::is_creased(sheet[i], sheet[grid.index(at) * each], own, normal[at])) return;
-            const double near = 1.0 - square / (radius * radius);
-            sum += near * near * agree * normal[at];
-        });
-        return glm::normalize(sum);
-    };
+    const AveragedMarks some(site, marks, sheet, each, radius);
+    const NormalLimits limits{radius * radius, marks_tuning.tone_steepest * marks_tuning.tone_steepest,
+                              surface::smooth_cosine};
+    const NormalLoops loops = normal_loops(site.work.instruction_set);
     result.resize(3 * marks.count());
     site.work.for_chunks(marks.count(), chunk_size, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) {
+        base::Array<std::int32_t> near(site.memory());
+        for (std::int64_t i = begin, next = begin; i < end; i = next) {
             site.work.check();
-            set_vector(result, i, averaged(i));
+            geometry::Bounds box;
+            next = std::min(end, i + NormalSums::size);
+            for (std::int64_t k = i; k < next; ++k) {
+                if (glm::distance(marks.position[k], marks.position[i]) > radius && k > i)
+                    next = k;
+                else
+                    box.extend(marks.position[k]);
+            }
+            NormalSums sums = sums_for(marks, sheet, i, next);
+            some.find_around(box, near);
+            loops.add_normals(some.points(), near.data(), near.size(), limits, sums);
+            for (std::int64_t k = i; k < next; ++k) {
+                const std::int64_t lane = k - i;
+                set_vector(result, k, glm::normalize(glm::dvec3(sums.sum_x[lane], sums.sum_y[lane], sums.sum_z[lane])));
+            }
         }
     });
 }

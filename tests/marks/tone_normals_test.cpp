@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tests the normals that determine tone: the grain of a surface is smoothed away, its sheets and edges stay.
+#include "support/instruction_sets.h"
 #include "support/point_sets.h"
+#include "support/runtime.h"
 
 #include "base/random.h"
 #include "marks/assemble.h"
@@ -87,6 +89,37 @@ TEST(ToneNormals, KeepSheetsApartAndEdgesSharp) {
     EXPECT_LT(off(soft, 0, {0, 0, 1}), 1e-6);
     EXPECT_LT(off(soft, side * side, {0, 0, -1}), 1e-6);
     EXPECT_LT(off(soft, 2 * side * side, {1, 0, 0}), 1e-6);
+}
+
+// Computes the average for one mark by its definition, from one of `each` marks.
+glm::dvec3 plain_average(const Marks& marks, std::int64_t i, std::int64_t each, double radius) {
+    const glm::dvec3 own = marks.normal[i];
+    glm::dvec3 sum = own;
+    for (std::int64_t k = 0; k < marks.count(); k += each) {
+        const glm::dvec3 way = marks.position[k] - marks.position[i];
+        const double square = glm::dot(way, way);
+        const double agree = glm::dot(own, marks.normal[k]);
+        if (square >= radius * radius || agree <= 0.0 || std::abs(glm::dot(way, own)) > 0.7 * std::sqrt(square))
+            continue;
+        const double near = 1.0 - square / (radius * radius);
+        sum += near * near * agree * marks.normal[k];
+    }
+    return glm::normalize(sum);
+}
+
+TEST(ToneNormals, EqualAPlainSumWithTheSameBitsOnEveryInstructionSet) {
+    Marks marks = no_marks();
+    add_square(marks, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0);
+    add_square(marks, {0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.5);
+    const base::Array<float> soft = softened(marks);
+    constexpr std::int64_t each = 4; // a circle of two lengths has 314 marks, of which about 64 are used
+    for (std::int64_t i = 0; i < marks.count(); i += 17)
+        ASSERT_LT(glm::distance(vec(soft, i), plain_average(marks, i, each, 2.0 * length)), 1e-6) << i;
+    for (const base::InstructionSet set : instruction_sets()) {
+        const base::Runtime runtime_of_set{nullptr, nullptr, nullptr, base::Parallel(1, nullptr, nullptr),
+                                           set,     nullptr, nullptr};
+        EXPECT_TRUE(same_bits(softened(marks, length, runtime_of_set), soft)) << name(set);
+    }
 }
 
 TEST(ToneNormals, ExistOnlyForLayersThatRequestThem) {
