@@ -23,6 +23,11 @@ constexpr NormalVariation unknown_variation{-1.0F, {}};
 
 constexpr int cell_bits = 16; // number of bits for each coordinate of a mark's cell on the Morton curve
 
+// The number of marks that are sorted at a time, of ranges of clusters for a task, and of marks for a task.
+constexpr std::int64_t marks_a_run = 32768;
+constexpr std::int64_t ranges_a_task = 64;
+constexpr std::int64_t marks_a_task = 16384;
+
 std::array<float, 3> to_floats(const glm::dvec3& v) noexcept {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
@@ -120,29 +125,53 @@ struct KeyedMark {
     std::uint32_t mark;
 };
 
-base::Array<KeyedMark> sorted_along_curve(const Layer& layer, double unit, const base::Progress& progress) {
+// Sorts the marks by their keys: runs of equal length in parallel, which are then merged in pairs.
+void sort_by_key(const base::Work& work, base::Array<KeyedMark>& order) {
+    const auto less = [](const KeyedMark& a, const KeyedMark& b) {
+        return a.key != b.key ? a.key < b.key : a.mark < b.mark;
+    };
+    const std::int64_t count = order.size();
+    work.for_chunks(count, marks_a_run, [&](std::int64_t begin, std::int64_t end) {
+        std::sort(order.data() + begin, order.data() + end, less);
+    });
+    base::Array<KeyedMark> merged(order.memory());
+    for (std::int64_t length = marks_a_run; length < count; length *= 2) {
+        merged.resize_for_overwrite(count);
+        work.for_each((count + 2 * length - 1) / (2 * length), [&](std::int64_t pair) {
+            const std::int64_t begin = 2 * length * pair;
+            const std::int64_t middle = std::min(begin + length, count);
+            const std::int64_t end = std::min(middle + length, count);
+            base::merge_long(order.data() + begin, order.data() + middle, order.data() + middle, order.data() + end,
+                             merged.data() + begin, less, work);
+        });
+        std::swap(order, merged);
+    }
+}
+
+base::Array<KeyedMark> sorted_along_curve(const base::Work& work, const Layer& layer, double unit) {
     constexpr std::int64_t last = (std::int64_t{1} << cell_bits) - 1;
-    base::Array<KeyedMark> order(layer.rank.memory(), layer.count());
+    base::Array<KeyedMark> order(layer.rank.memory());
+    order.resize_for_overwrite(layer.count());
     const auto place = [&](std::int64_t i) { return glm::dvec3(vector_at(layer.position, i)) / unit; };
     geometry::Bounds bounds;
     for (std::int64_t i = 0; i < order.size(); ++i) bounds.extend(place(i));
     const double side = bounds.longest_side();
     const double scale = side > 0.0 ? static_cast<double>(last) / side : 0.0;
-    for (const std::int64_t i : progress.over(order.size())) {
-        const glm::dvec3 at = (place(i) - bounds.min) * scale;
-        const std::uint64_t code = geometry::morton_code(
-            {geometry::truncate_to(at.x, last), geometry::truncate_to(at.y, last), geometry::truncate_to(at.z, last)});
-        const std::uint64_t set = layer.has_strokes() ? layer.direction_of(i) : 0U;
-        const glm::vec3 n = vector_at(layer.normal, i);
-        const glm::vec3 a = glm::abs(n);
-        const int axis = a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
-        const std::uint64_t cube_side = 2U * static_cast<unsigned>(axis) + (n[axis] < 0.0F ? 1U : 0U);
-        order[i] = {(set * 8 + cube_side) << (3 * cell_bits) | code, static_cast<std::uint32_t>(i)};
-    }
-    base::sort_long(
-        order.begin(), order.end(),
-        [](const KeyedMark& a, const KeyedMark& b) { return a.key != b.key ? a.key < b.key : a.mark < b.mark; },
-        progress);
+    work.for_chunks(order.size(), marks_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const glm::dvec3 at = (place(i) - bounds.min) * scale;
+            const std::uint64_t code =
+                geometry::morton_code({geometry::truncate_to(at.x, last), geometry::truncate_to(at.y, last),
+                                       geometry::truncate_to(at.z, last)});
+            const std::uint64_t set = layer.has_strokes() ? layer.direction_of(i) : 0U;
+            const glm::vec3 n = vector_at(layer.normal, i);
+            const glm::vec3 a = glm::abs(n);
+            const int axis = a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
+            const std::uint64_t cube_side = 2U * static_cast<unsigned>(axis) + (n[axis] < 0.0F ? 1U : 0U);
+            order[i] = {(set * 8 + cube_side) << (3 * cell_bits) | code, static_cast<std::uint32_t>(i)};
+        }
+    });
+    sort_by_key(work, order);
     return order;
 }
 
@@ -158,93 +187,167 @@ struct SortedMarks {
     base::Array<KeyedMark> order;
 };
 
-// Adds clusters of the marks begin .. end - 1. The marks of a cluster are sorted by rank.
-void add_clusters(SortedMarks& sorted, std::int64_t begin, std::int64_t end, const NormalVariation& turn,
-                  base::Array<Cluster>& clusters) {
-    const Layer& layer = sorted.layer;
-    std::sort(sorted.order.data() + begin, sorted.order.data() + end, [&](const KeyedMark& a, const KeyedMark& b) {
+// Returns the end of the marks from `begin` on, up to `end`, whose keys agree in the bits above `shift`.
+[[nodiscard]] std::int64_t end_of_key(const SortedMarks& sorted, std::int64_t begin, std::int64_t end, int shift) {
+    const KeyedMark* const marks = sorted.order.data();
+    const std::uint64_t head = marks[begin].key >> shift;
+    return std::partition_point(marks + begin, marks + end,
+                                [&](const KeyedMark& k) { return k.key >> shift == head; }) -
+           marks;
+}
+
+// Consecutive marks whose keys agree in the bits above `shift`.
+struct KeyRange {
+    std::int64_t begin, end;
+    int shift;
+    std::int64_t fit = -1; // its index in ClusterRanges::fit; -1 if it is not there yet
+
+    [[nodiscard]] std::int64_t count() const noexcept { return end - begin; }
+};
+
+// A range of marks that become one cluster, or several if they have the same key.
+struct ClusterRange {
+    std::int64_t begin, end;
+    std::int64_t fit; // the index of the range that says how the normals of these marks turn; -1 if none does
+};
+
+// The ranges of all clusters.
+struct ClusterRanges {
+    explicit ClusterRanges(base::Memory& memory) noexcept : cluster(memory), fit(memory) {}
+
+    base::Array<ClusterRange> cluster;
+    base::Array<KeyRange> fit;
+};
+
+// Splits a range into parts whose keys agree, until the parts are small enough. `around` is the smallest range around
+// it that is not too large or too small to say how its normals turn; null if there is none. It is used for parts that
+// are too small.
+void split_by_key(const SortedMarks& sorted, KeyRange& range, KeyRange* around, ClusterRanges& ranges,
+                  const base::Progress& progress) {
+    progress.check();
+    const std::int64_t count = range.count();
+    if (count >= marks_tuning.fewest_to_fit && count <= 16 * most_in_cluster) around = &range;
+    if (count <= most_in_cluster || range.shift == 0) {
+        if (around != nullptr && around->fit < 0) {
+            around->fit = ranges.fit.size();
+            ranges.fit.push_back(*around);
+        }
+        ranges.cluster.push_back({range.begin, range.end, around != nullptr ? around->fit : -1});
+        return;
+    }
+    for (std::int64_t begin = range.begin; begin < range.end;) {
+        KeyRange part{begin, end_of_key(sorted, begin, range.end, range.shift - 3), range.shift - 3};
+        split_by_key(sorted, part, around, ranges, progress);
+        begin = part.end;
+    }
+}
+
+[[nodiscard]] base::Array<NormalVariation> fit_ranges(const base::Work& work, const SortedMarks& sorted,
+                                                      const base::Array<KeyRange>& ranges) {
+    base::Array<NormalVariation> turn(work.memory, ranges.size());
+    work.for_chunks(ranges.size(), ranges_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t k = begin; k < end; ++k)
+            turn[k] = fit_normal_variation(
+                ranges[k].begin, ranges[k].end, [&](std::int64_t i) { return sorted.place(i); },
+                [&](std::int64_t i) { return sorted.normal(i); });
+    });
+    return turn;
+}
+
+// Returns the clusters without their bounds. A range that has more than most_in_cluster marks has marks that are all
+// alike, so it may be divided anywhere.
+[[nodiscard]] base::Array<Cluster> cut_ranges(const Layer& layer, const SortedMarks& sorted,
+                                              const ClusterRanges& ranges, const base::Array<NormalVariation>& turn) {
+    base::Array<Cluster> clusters(turn.memory());
+    std::int64_t blocks = 0;
+    for (const ClusterRange& range : ranges.cluster)
+        for (std::int64_t begin = range.begin; begin < range.end; begin += most_in_cluster) {
+            Cluster cluster;
+            cluster.count = static_cast<std::int32_t>(std::min(range.end - begin, most_in_cluster));
+            cluster.direction = layer.has_strokes() ? layer.direction_of(sorted.order[begin].mark) : 0U;
+            cluster.block = std::exchange(blocks, blocks + (cluster.count + MarkBlock::size - 1) / MarkBlock::size);
+            static_cast<NormalVariation&>(cluster) = range.fit >= 0 ? turn[range.fit] : unknown_variation;
+            clusters.push_back(cluster);
+        }
+    return clusters;
+}
+
+void sort_by_rank(const Layer& layer, KeyedMark* begin, KeyedMark* end) {
+    std::sort(begin, end, [&](const KeyedMark& a, const KeyedMark& b) {
         const float u = layer.rank[a.mark];
         const float v = layer.rank[b.mark];
         return u != v ? u > v : a.mark < b.mark;
     });
-    // A key that more than most_in_cluster marks share belongs to marks that are all alike, so the marks may be divided
-    // anywhere.
-    for (; begin < end; begin += most_in_cluster) {
-        Cluster cluster;
-        cluster.count = static_cast<std::int32_t>(std::min(end - begin, most_in_cluster));
-        cluster.direction = layer.has_strokes() ? layer.direction_of(sorted.order[begin].mark) : 0U;
-        set_extent(
-            cluster, begin, begin + cluster.count, [&](std::int64_t i) { return sorted.place(i); },
-            [&](std::int64_t i) { return sorted.normal(i); });
-        static_cast<NormalVariation&>(cluster) = turn;
-        clusters.push_back(cluster);
-    }
 }
 
-// Splits the marks begin .. end - 1 into parts whose keys agree in the bits above `shift`, until the parts are small
-// enough. `parent` says how the normals of all these marks turn. It is used for parts that are too small to compute
-// this.
-void split_by_key(SortedMarks& sorted, std::int64_t begin, std::int64_t end, int shift, const NormalVariation& parent,
-                  base::Array<Cluster>& clusters, const base::Progress& progress) {
-    while (begin < end) {
-        const std::uint64_t head = sorted.order[begin].key >> shift;
-        const KeyedMark* const next = std::partition_point(sorted.order.data() + begin, sorted.order.data() + end,
-                                                           [&](const KeyedMark& k) { return k.key >> shift == head; });
-        const std::int64_t stop = next - sorted.order.data();
-        const std::int64_t count = stop - begin;
-        const bool tells = count >= marks_tuning.fewest_to_fit && count <= 16 * most_in_cluster;
-        const NormalVariation turn = tells ? fit_normal_variation(
-                                                 begin, stop, [&](std::int64_t i) { return sorted.place(i); },
-                                                 [&](std::int64_t i) { return sorted.normal(i); })
-                                           : parent;
-        progress.check();
-        if (count <= most_in_cluster || shift == 0)
-            add_clusters(sorted, begin, stop, turn, clusters);
-        else
-            split_by_key(sorted, begin, stop, shift - 3, turn, clusters, progress);
-        begin = stop;
-    }
-}
-
-void find_clusters(const Layer& layer, double unit, MarkClusters& result, const base::Progress& progress) {
+// Copies the marks of a cluster into its blocks. Its first mark is sorted.order[from].
+void fill_blocks(const SortedMarks& sorted, const Cluster& cluster, std::int64_t from, MarkClusters& result) noexcept {
     constexpr std::int64_t size = MarkBlock::size;
-    SortedMarks sorted{layer, unit, sorted_along_curve(layer, unit, progress)};
-    split_by_key(sorted, 0, layer.count(), 3 * cell_bits, unknown_variation, result.cluster, progress);
-    std::int64_t blocks = 0;
-    for (Cluster& cluster : result.cluster)
-        cluster.block = std::exchange(blocks, blocks + (cluster.count + size - 1) / size);
-    base::resize_long(result.block, blocks, progress);
-    if (!layer.width.empty()) base::resize_long(result.width, blocks * size, progress);
-    std::int64_t from = 0;
-    for (const Cluster& cluster : result.cluster) {
-        progress.check();
-        for (std::int64_t i = 0; i < cluster.count; ++i, ++from) {
-            const std::uint32_t mark = sorted.order[from].mark;
-            MarkBlock& block = result.block[cluster.block + i / size];
-            block.set(i % size, sorted.place(from), vector_at(layer.normal, mark));
-            block.rank[i % size] = layer.rank[mark];
-            block.mark[i % size] = mark;
-            if (!layer.width.empty()) result.width[cluster.block * size + i] = layer.width[mark];
-        }
+    const Layer& layer = sorted.layer;
+    for (std::int64_t i = 0; i < cluster.count; ++i) {
+        const std::uint32_t mark = sorted.order[from + i].mark;
+        MarkBlock& block = result.block[cluster.block + i / size];
+        block.set(i % size, sorted.place(from + i), vector_at(layer.normal, mark));
+        block.rank[i % size] = layer.rank[mark];
+        block.mark[i % size] = mark;
+        if (!layer.width.empty()) result.width[cluster.block * size + i] = layer.width[mark];
     }
-    HRBFNPR_ASSERT(from == layer.count());
 }
 
-void cut_strokes(const Layer& layer, double unit, base::Array<StrokePiece>& pieces, const base::Progress& progress) {
-    const float* const tone_normal = layer.tone_normal.empty() ? layer.normal.data() : layer.tone_normal.data();
-    for (const std::int64_t s : progress.over(layer.strokes())) {
+void find_clusters(const base::Work& work, const Layer& layer, double unit, MarkClusters& result) {
+    SortedMarks sorted{layer, unit, sorted_along_curve(work, layer, unit)};
+    ClusterRanges ranges(work.memory);
+    for (std::int64_t begin = 0; begin < layer.count();) {
+        KeyRange side{begin, end_of_key(sorted, begin, layer.count(), 3 * cell_bits), 3 * cell_bits};
+        split_by_key(sorted, side, nullptr, ranges, work);
+        begin = side.end;
+    }
+    result.cluster = cut_ranges(layer, sorted, ranges, fit_ranges(work, sorted, ranges.fit));
+    work.for_chunks(ranges.cluster.size(), ranges_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t k = begin; k < end; ++k)
+            sort_by_rank(layer, sorted.order.data() + ranges.cluster[k].begin,
+                         sorted.order.data() + ranges.cluster[k].end);
+    });
+    base::Array<std::int64_t> first(work.memory, result.cluster.size()); // the index of each cluster's first mark
+    std::int64_t marks = 0;
+    std::int64_t blocks = 0;
+    for (std::int64_t c = 0; c < first.size(); ++c) {
+        first[c] = std::exchange(marks, marks + result.cluster[c].count);
+        blocks = result.cluster[c].block + (result.cluster[c].count + MarkBlock::size - 1) / MarkBlock::size;
+    }
+    HRBFNPR_ASSERT(marks == layer.count());
+    base::resize_long(result.block, blocks, work);
+    if (!layer.width.empty()) base::resize_long(result.width, blocks * MarkBlock::size, work);
+    work.for_chunks(first.size(), ranges_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t c = begin; c < end; ++c) {
+            set_extent(
+                result.cluster[c], first[c], first[c] + result.cluster[c].count,
+                [&](std::int64_t i) { return sorted.place(i); }, [&](std::int64_t i) { return sorted.normal(i); });
+            fill_blocks(sorted, result.cluster[c], first[c], result);
+        }
+    });
+}
+
+void cut_strokes(const base::Work& work, const Layer& layer, double unit, base::Array<StrokePiece>& pieces) {
+    for (const std::int64_t s : work.over(layer.strokes())) {
         const std::int64_t end = layer.stroke_first[s + 1];
         for (std::int64_t first = layer.stroke_first[s]; first < end; first += StrokePiece::most) {
             StrokePiece piece;
             piece.first = static_cast<std::uint32_t>(first);
             piece.count = static_cast<std::uint8_t>(std::min(end - first, StrokePiece::most));
-            piece.level = layer.level[layer.mark_of(first)];
-            for (std::int64_t i = 1; i < piece.count; ++i)
-                piece.level = std::min(piece.level, layer.level[layer.mark_of(first + i)]);
-            set_extent(piece, layer, layer.position.data(), layer.normal.data(), tone_normal, unit);
-            base::push_back_long(pieces, piece, progress);
+            base::push_back_long(pieces, piece, work);
         }
     }
+    const float* const tone_normal = layer.tone_normal.empty() ? layer.normal.data() : layer.tone_normal.data();
+    work.for_chunks(pieces.size(), ranges_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t k = begin; k < end; ++k) {
+            StrokePiece& piece = pieces[k];
+            piece.level = layer.level[layer.mark_of(piece.first)];
+            for (std::int64_t i = 1; i < piece.count; ++i)
+                piece.level = std::min(piece.level, layer.level[layer.mark_of(piece.first + i)]);
+            set_extent(piece, layer, layer.position.data(), layer.normal.data(), tone_normal, unit);
+        }
+    });
 }
 
 // ---- Gaps between nested lines
@@ -372,14 +475,13 @@ void cluster_marks(const base::Work& work, PointSet& set) {
     for (const Layer& layer : set.layers)
         for (const float coordinate : layer.position) largest = std::max(largest, std::abs(coordinate));
     set.unit = geometry::unit_for(double{largest});
-    work.for_each(set.layers.size(), [&](std::int64_t number) {
-        Layer& layer = set.layers[number];
+    for (Layer& layer : set.layers) {
         HRBFNPR_ASSERT(layer.position.size() == 3 * layer.count() && layer.normal.size() == 3 * layer.count());
         layer.clusters = MarkClusters(work.memory);
-        if (layer.count() > 0) find_clusters(layer, set.unit, layer.clusters, work);
-        cut_strokes(layer, set.unit, layer.clusters.piece, work);
-    });
-    for (Layer& layer : set.layers) measure_gaps(work, layer, layer.clusters.gap);
+        if (layer.count() > 0) find_clusters(work, layer, set.unit, layer.clusters);
+        cut_strokes(work, layer, set.unit, layer.clusters.piece);
+        measure_gaps(work, layer, layer.clusters.gap);
+    }
 }
 
 void move_clusters(const Layer& layer, const float* position, const float* normal, double unit, MarkClusters& moved) {
