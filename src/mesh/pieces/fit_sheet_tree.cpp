@@ -160,25 +160,17 @@ void return_fits(SheetFits& sheets, SheetFits& before) {
     return order;
 }
 
-[[nodiscard]] SheetFit fit_patch(const SheetTreeTask& task, const SheetFits& sheets, std::int32_t p,
-                                 const PatchNormals& normals, bool grows, std::int64_t most,
-                                 const base::Progress& progress) {
+[[nodiscard]] SheetFit fit_patch(const base::Work& work, const SheetTreeTask& task, const SheetFits& sheets,
+                                 std::int32_t p, const PatchNormals& normals, bool grows, std::int64_t most) {
     PatchSamples patch =
-        sample_patch({task.runtime, progress}, task.mesh, sheets.creases, normals, sheets.faces[p],
+        sample_patch(work, task.mesh, sheets.creases, normals, sheets.faces[p],
                      {pieces_tuning.at_crease * task.tolerance, pieces_tuning.far_from_crease * task.tolerance,
                       pieces_tuning.ramp * task.mesh.bounds.diagonal()});
     fit::Samples& samples = patch.samples;
     for (std::int64_t i = 0; grows && i < samples.position.size(); ++i)
         samples.position.set(i, samples.position[i] +
                                     pieces_tuning.contact * task.mesh.bounds.diagonal() * samples.normal[i]);
-    SheetFit made = fit_sheet({task.runtime, progress.part(0.0, 0.0)}, patch, task.options, most);
-    task.runtime.log(
-        base::LogLevel::debug,
-        "pieces: sheet %d: %lld faces, %lld samples, %lld centres in %d rounds; %lld outside, worst by %.2f",
-        static_cast<int>(p), static_cast<long long>(sheets.faces.count(p)),
-        static_cast<long long>(samples.position.size()), static_cast<long long>(made.data.count()),
-        static_cast<int>(made.rounds), static_cast<long long>(made.outside), made.worst);
-    return made;
+    return fit_sheet(work, patch, task.options, most);
 }
 
 // Gives the model places at which searches for its surface may begin.
@@ -203,7 +195,93 @@ void gather_samples(const SheetTreeTask& task, const base::Array<glm::dvec3>& no
         }
 }
 
-// Fits all sheets that are missing, one after the other. Each takes few centres.
+// The numbers of centres and of faces that are left for the sheets that are not fitted yet.
+struct RoomLeft {
+    std::int64_t centres = 0;
+    std::int64_t faces = 0;
+
+    // Returns the largest number of centres of the next sheet: its share of the centres, by its faces.
+    [[nodiscard]] std::int64_t most_for(std::int64_t of_faces) const noexcept {
+        const double share = static_cast<double>(of_faces) / static_cast<double>(faces);
+        return std::max(pieces_tuning.fewest,
+                        static_cast<std::int64_t>(share * static_cast<double>(std::max<std::int64_t>(centres, 0))));
+    }
+    void take(std::int64_t of_faces, std::int64_t used) noexcept {
+        faces -= of_faces;
+        centres -= used;
+    }
+};
+
+// Fits the sheets of several patches at the same time. Each may have as many centres as if the others needed none.
+void fit_at_once(const SheetTreeTask& task, SheetFits& sheets, std::span<const std::int32_t> patches,
+                 const PatchNormals& normals, const base::Array<std::uint8_t>& grows, RoomLeft room,
+                 const base::Progress& progress) {
+    base::Array<std::int64_t> most(task.runtime.memory);
+    for (const std::int32_t p : patches) {
+        most.push_back(room.most_for(sheets.faces.count(p)));
+        room.take(sheets.faces.count(p), 0);
+    }
+    if (patches.size() == 1) {
+        const base::Work work(task.runtime, progress.without_progress());
+        sheets.fit[patches[0]] = fit_patch(work, task, sheets, patches[0], normals, grows[patches[0]] != 0, most[0]);
+        return;
+    }
+    const base::Runtime alone = base::Runtime::for_task(task.runtime);
+    const base::Work work(alone, progress.without_progress());
+    task.runtime.parallel.for_each(static_cast<std::int64_t>(patches.size()), progress, [&](std::int64_t i) {
+        const std::int32_t p = patches[static_cast<std::size_t>(i)];
+        sheets.fit[p] = fit_patch(work, task, sheets, p, normals, grows[p] != 0, most[i]);
+    });
+}
+
+// Returns the number of patches, from the first of `order`, whose sheets are fitted at the same time.
+[[nodiscard]] std::size_t count_at_once(const SheetFits& sheets, std::span<const std::int32_t> order) noexcept {
+    std::size_t count = 1;
+    while (count < order.size() && count < static_cast<std::size_t>(sheet_tuning.at_once) &&
+           sheets.faces.count(order[count]) < sheet_tuning.large)
+        ++count;
+    return count;
+}
+
+void log_sheet(const SheetTreeTask& task, const SheetFits& sheets, std::int32_t p) {
+    const SheetFit& made = *sheets.fit[p];
+    task.runtime.log(
+        base::LogLevel::debug,
+        "pieces: sheet %d: %lld faces, %lld samples, %lld centres in %d rounds; %lld outside, worst by %.2f",
+        static_cast<int>(p), static_cast<long long>(sheets.faces.count(p)), static_cast<long long>(made.samples),
+        static_cast<long long>(made.data.count()), static_cast<int>(made.rounds), static_cast<long long>(made.outside),
+        made.worst);
+}
+
+// Fits the sheets of `order`, smaller patches first, and returns the patches that need more centres than their share.
+// The result is that of fitting one sheet after the other.
+[[nodiscard]] base::Array<std::int32_t> fit_in_order(const SheetTreeTask& task, SheetFits& sheets,
+                                                     std::span<const std::int32_t> order, const PatchNormals& normals,
+                                                     const base::Array<std::uint8_t>& grows, RoomLeft& room,
+                                                     const base::Progress& progress) {
+    base::Array<std::int32_t> starved(task.runtime.memory);
+    const base::Work work(task.runtime, progress.without_progress());
+    const auto all_faces = static_cast<double>(room.faces);
+    while (!order.empty()) {
+        const std::span<const std::int32_t> patches = order.first(count_at_once(sheets, order));
+        fit_at_once(task, sheets, patches, normals, grows, room, progress);
+        for (const std::int32_t p : patches) {
+            const std::int64_t most = room.most_for(sheets.faces.count(p));
+            // The sheets before this one needed centres, so it may have too many now.
+            if (sheets.fit[p]->data.count() > most)
+                sheets.fit[p] = fit_patch(work, task, sheets, p, normals, grows[p] != 0, most);
+            const SheetFit& made = *sheets.fit[p];
+            room.take(sheets.faces.count(p), made.data.count());
+            if (made.report.input_distance_max > task.tolerance && made.data.count() >= most) starved.push_back(p);
+            log_sheet(task, sheets, p);
+        }
+        order = order.subspan(patches.size());
+        progress.update(0.5 * (1.0 - static_cast<double>(room.faces) / all_faces));
+    }
+    return starved;
+}
+
+// Fits all sheets that are missing. Most take few centres.
 void fit_sheets(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& result, const base::Progress& progress) {
     const base::Runtime& runtime = task.runtime;
     const std::int32_t patches = sheets.creases.patches;
@@ -215,37 +293,27 @@ void fit_sheets(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& resu
                                    pieces_tuning.contact * task.mesh.bounds.diagonal());
     const PatchNormals normals = patch_normals(runtime, task.mesh, sheets.creases, task.tolerance);
     sheets.chord = chord_errors(task.mesh, normals.normal);
-    std::int64_t faces_left = 0;
-    std::int64_t room = std::max(task.settings.maximum_centres, pieces_tuning.room_a_sheet * patches);
-    for (std::int32_t p = 0; p < patches; ++p) {
-        if (sheets.fit[p])
-            room -= sheets.fit[p]->data.count();
-        else
-            faces_left += sheets.faces.count(p);
-    }
-    const auto all_faces = static_cast<double>(faces_left);
-    base::Array<std::int32_t> starved(runtime.memory); // patches that need more centres than their share
+    RoomLeft room{std::max(task.settings.maximum_centres, pieces_tuning.room_a_sheet * patches), 0};
+    base::Array<std::int32_t> missing(runtime.memory);
     for (const std::int32_t p : small_first(sheets)) {
-        if (sheets.fit[p]) continue;
-        const std::int64_t faces = sheets.faces.count(p);
-        const double share = static_cast<double>(faces) / static_cast<double>(faces_left);
-        const auto most =
-            std::max(pieces_tuning.fewest,
-                     static_cast<std::int64_t>(share * static_cast<double>(std::max<std::int64_t>(room, 0))));
-        const SheetFit& made =
-            sheets.fit[p].emplace(fit_patch(task, sheets, p, normals, grows[p] != 0, most, progress));
-        faces_left -= faces;
-        room -= made.data.count();
-        if (made.report.input_distance_max > task.tolerance && made.data.count() >= most) starved.push_back(p);
-        progress.update(0.5 * (1.0 - static_cast<double>(faces_left) / all_faces));
+        if (sheets.fit[p]) {
+            room.take(0, sheets.fit[p]->data.count());
+            continue;
+        }
+        missing.push_back(p);
+        room.faces += sheets.faces.count(p);
     }
+    const base::Array<std::int32_t> starved =
+        fit_in_order(task, sheets, missing.span(), normals, grows, room, progress);
     // A patch of a few coarse faces, such as those of a cone, may need many centres.
+    const base::Work work(runtime, progress.without_progress());
     for (std::int64_t left = starved.size(); const std::int32_t p : starved) {
         const std::int64_t before = sheets.fit[p]->data.count();
-        const std::int64_t more = std::max<std::int64_t>(room, 0) / left--;
+        const std::int64_t more = std::max<std::int64_t>(room.centres, 0) / left--;
         if (more < before / 4) continue;
-        sheets.fit[p] = fit_patch(task, sheets, p, normals, grows[p] != 0, before + more, progress);
-        room += before - sheets.fit[p]->data.count();
+        sheets.fit[p] = fit_patch(work, task, sheets, p, normals, grows[p] != 0, before + more);
+        room.centres += before - sheets.fit[p]->data.count();
+        log_sheet(task, sheets, p);
     }
     progress.update(0.6);
     gather_samples(task, normals.normal, result.data, progress);

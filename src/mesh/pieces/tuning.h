@@ -72,6 +72,10 @@ struct SheetTuning {
     std::int64_t smallest_batch = 12;
     // Centres are at least this many tolerances apart. Larger: fewer centres along creases, which are less exact.
     double apart = 4.0;
+    // Sheets of patches with fewer faces than `large` are fitted at the same time, each on one thread, `at_once` at a
+    // time. Sheets of larger patches use all threads. Larger: more memory, and threads that wait for the last sheet.
+    std::int64_t large = 512;
+    std::int64_t at_once = 64;
 };
 inline constexpr SheetTuning sheet_tuning;
 
