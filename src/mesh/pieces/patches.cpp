@@ -247,6 +247,32 @@ private:
     return static_cast<std::int64_t>(std::clamp(length / spacing, 1.0, patch_tuning.most_cuts));
 }
 
+// Returns whether the vertices of the faces, and the curved surfaces over the faces, lie within `off` of a plane.
+[[nodiscard]] bool lie_in_plane(const Mesh& mesh, const PatchNormals& normals, std::span<const std::int32_t> faces,
+                                double off) noexcept {
+    glm::dvec3 normal(0.0);
+    for (const std::int32_t face : faces) normal += doubled_area(mesh.corners(face));
+    normal = unit_or(normal, glm::dvec3(0.0));
+    const glm::dvec3 place = mesh.corners(faces[0])[0];
+    return std::all_of(faces.begin(), faces.end(), [&](std::int32_t face) {
+        const auto p = mesh.corners(face);
+        const glm::dvec3* const n = normals.normal.data() + 3 * std::int64_t{face};
+        const auto is_off = [&](const glm::dvec3& corner) { return !(std::abs(glm::dot(corner - place, normal)) <= off); };
+        return std::none_of(p.begin(), p.end(), is_off) &&
+               std::max({bulge(p[1] - p[0], n[0], normal), bulge(p[1] - p[0], n[1], normal),
+                         bulge(p[2] - p[0], n[0], normal), bulge(p[2] - p[0], n[2], normal),
+                         bulge(p[2] - p[1], n[1], normal), bulge(p[2] - p[1], n[2], normal)}) <= off;
+    });
+}
+
+// Returns about how many places are sampled on a patch.
+[[nodiscard]] double places_wanted(const Mesh& mesh, const PatchNormals& normals, std::span<const std::int32_t> faces,
+                                   const PatchTolerance& tolerance) noexcept {
+    if (lie_in_plane(mesh, normals, faces, patch_tuning.in_plane * tolerance.crease))
+        return patch_tuning.places_in_plane;
+    return std::min(patch_tuning.wanted_places, patch_tuning.places_a_face * static_cast<double>(faces.size()));
+}
+
 // Sets the tolerance of each place. It is larger near tips, because a sheet rounds tips.
 void set_tolerances(const base::Work& work, const PatchTolerance& tolerance, std::int64_t on_creases,
                     const base::Array<glm::dvec3>& tips, double around_tip, PatchSamples& result) {
@@ -344,7 +370,7 @@ PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Crease
     const double diagonal = mesh.bounds.diagonal();
     double area = 0.0;
     for (const std::int32_t face : faces) area += 0.5 * glm::length(doubled_area(mesh.corners(face)));
-    const double spacing = std::max(std::sqrt(area / patch_tuning.wanted_places), 1e-4 * diagonal);
+    const double spacing = std::max(std::sqrt(area / places_wanted(mesh, normals, faces, tolerance)), 1e-4 * diagonal);
     const auto grid_of = [&](double side) {
         return geometry::CellGrid{mesh.bounds.min - spacing, std::max(side * spacing, 1e-5 * diagonal)};
     };
@@ -407,7 +433,8 @@ PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Crease
             if (creases.cut[3 * std::int64_t{face} + k] == 1) add_crease(face, k);
     const std::int64_t on_creases = result.samples.position.size();
     for (const std::int32_t face : faces) add_face(face);
-    fit::measure_extent(work, result.samples);
+    for (std::int64_t i = 0; i < result.samples.position.size(); ++i)
+        result.samples.bounds.extend(result.samples.position[i]);
     set_tolerances(work, tolerance, on_creases, tips, patch_tuning.around_tip * spacing, result);
     return result;
 }

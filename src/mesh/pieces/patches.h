@@ -33,7 +33,7 @@ struct PatchNormals {
 struct PatchSamples {
     explicit PatchSamples(base::Memory& memory) noexcept : samples(memory), tolerance(memory) {}
 
-    fit::Samples samples;          // the places, with bounds and spacing
+    fit::Samples samples;          // the places, with bounds but without spacing
     base::Array<double> tolerance; // for each sample: its largest allowed distance from the sheet
 };
 

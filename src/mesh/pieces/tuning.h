@@ -105,8 +105,15 @@ struct PatchTuning {
 
     // ---- Places
 
-    // About this many places are sampled on a patch. Larger: slower fits, finer details.
+    // About this many places are sampled on a patch, but at most `places_a_face` on each face on average, because a
+    // curved face is a cubic. Larger: slower fits, finer details.
     double wanted_places = 3000.0;
+    double places_a_face = 250.0;
+    // About this many places are sampled on a patch that lies in a plane, besides its vertices. A patch lies in a plane
+    // if its faces and their curved surfaces are at most this share of the least tolerance away from it. Larger: slower
+    // fits; more patches count as flat.
+    double places_in_plane = 100.0;
+    double in_plane = 0.1;
     // A cell of a grid contains at most one place. The cell's side is `thinned` spacings, or `thinned_crease` spacings
     // for places on creases.
     double thinned = 0.7;
