@@ -29,7 +29,7 @@ namespace {
 
 // ---- Curves
 
-constexpr std::int64_t crease_points_a_task = 16;
+constexpr std::int64_t crease_points_a_task = 64;
 constexpr int crease_rounds = 8; // pieces are halved at most this many times
 
 CurvePoint as_curve_point(const CreasePoint& p) noexcept {
@@ -40,9 +40,24 @@ CurvePoint as_curve_point(const CreasePoint& p) noexcept {
     return point;
 }
 
-void set_normals(const implicit::Sheets& sheets, const Creases& creases, std::int64_t crease, CreasePoint& p) {
-    p.left = glm::normalize(surface::sheet_at(sheets, creases.left[crease], p.position).gradient);
-    p.right = glm::normalize(surface::sheet_at(sheets, creases.right[crease], p.position).gradient);
+// Sets the normals of both sheets at points of a crease.
+void set_normals(const implicit::Sheets& sheets, const Creases& creases, std::int64_t crease,
+                 std::span<CreasePoint> points) {
+    std::array<surface::SheetRequest, 2 * static_cast<std::size_t>(crease_points_a_task)> requests;
+    std::array<surface::SheetValue, 2 * static_cast<std::size_t>(crease_points_a_task)> values;
+    while (!points.empty()) {
+        const std::span<CreasePoint> some = points.first(std::min(points.size(), requests.size() / 2));
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            requests[2 * i] = {creases.left[crease], some[i].position};
+            requests[2 * i + 1] = {creases.right[crease], some[i].position};
+        }
+        surface::sheets_at(sheets, std::span(requests).first(2 * some.size()), values.data());
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            some[i].left = glm::normalize(values[2 * i].gradient);
+            some[i].right = glm::normalize(values[2 * i + 1].gradient);
+        }
+        points = points.subspan(some.size());
+    }
 }
 
 // Ends a crease: makes it of the points added since the last crease, unless it is too short.
@@ -174,7 +189,7 @@ base::Array<CreasePoint> path_of(base::Memory& memory, const implicit::Sheets& s
             CreasePoint turn;
             turn.position = piece.at(share[k]);
             turn.tangent = glm::normalize(piece.derivative(share[k]));
-            set_normals(sheets, creases, crease, turn);
+            set_normals(sheets, creases, crease, {&turn, 1});
             path.push_back(turn);
         }
     }
@@ -325,8 +340,8 @@ Creases trace_creases(const base::Work& work, const implicit::Implicit& implicit
     Creases creases(work.memory);
     for (std::int64_t c = 0; c < chains.count(); ++c) add_chain(chains, c, side, creases);
     threads.for_each(creases.count(), [&](std::int64_t c) {
-        for (std::int64_t i = creases.first[c]; i < creases.first[c + 1]; ++i)
-            set_normals(sheets, creases, c, creases.point[i]);
+        set_normals(sheets, creases, c,
+                    {creases.point.data() + creases.first[c], static_cast<std::size_t>(creases.size_of(c))});
     });
     creases = drop_returns(creases, side);
     const auto wanted = [&](std::int64_t, std::int64_t i, std::int64_t j, CreasePoint& p) {
@@ -342,17 +357,24 @@ Creases trace_creases(const base::Work& work, const implicit::Implicit& implicit
     const auto bring = [&](base::Array<CreasePoint>& added, const base::Array<std::int64_t>& of, const auto&) {
         base::Array<std::uint8_t> found(work.memory, added.size());
         threads.for_chunks(added.size(), crease_points_a_task, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t k = begin; k < end; ++k) {
-                surface::Meeting meeting;
-                meeting.add(creases.left[of[k]]);
-                meeting.add(creases.right[of[k]]);
-                const surface::MeetingPlace at =
-                    surface::find_meeting(sheets, meeting, added[k].position, 1e-9 * side, 0.5 * side);
-                found[k] = at.found ? 1 : 0;
-                if (!at.found) continue;
-                added[k].position = at.position;
-                added[k].left = glm::normalize(at.gradient[0]);
-                added[k].right = glm::normalize(at.gradient[1]);
+            std::array<surface::MeetingSearch, static_cast<std::size_t>(crease_points_a_task)> searches;
+            std::array<surface::MeetingPlace, static_cast<std::size_t>(crease_points_a_task)> places;
+            const auto count = static_cast<std::size_t>(end - begin);
+            for (std::size_t i = 0; i < count; ++i) {
+                const std::int64_t k = begin + static_cast<std::int64_t>(i);
+                searches[i].meeting.add(creases.left[of[k]]);
+                searches[i].meeting.add(creases.right[of[k]]);
+                searches[i].from = added[k].position;
+                searches[i].farthest = 0.5 * side;
+            }
+            surface::find_meetings(sheets, std::span(searches).first(count), 1e-9 * side, places.data());
+            for (std::size_t i = 0; i < count; ++i) {
+                const std::int64_t k = begin + static_cast<std::int64_t>(i);
+                found[k] = places[i].found ? 1 : 0;
+                if (!places[i].found) continue;
+                added[k].position = places[i].position;
+                added[k].left = glm::normalize(places[i].gradient[0]);
+                added[k].right = glm::normalize(places[i].gradient[1]);
             }
         });
         return found;

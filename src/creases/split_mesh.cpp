@@ -23,7 +23,10 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr std::int64_t nodes_a_task = 32;
+// The number of nodes that are examined together.
+constexpr std::int64_t nodes_a_task = 64;
+template <class T>
+using OfNodes = std::array<T, static_cast<std::size_t>(nodes_a_task)>;
 // The tolerance for the position of a place where sheets meet, in sides of the mesh's cells.
 constexpr double meeting_tolerance = 1e-9;
 
@@ -82,24 +85,40 @@ struct SheetMesh {
     [[nodiscard]] double length_of(std::int64_t edge) const noexcept {
         return glm::distance(mesh.position[start_of(mesh, edge)], mesh.position[end_of(mesh, edge)]);
     }
-    [[nodiscard]] surface::SheetValue value(const glm::dvec3& place) const {
-        surface::SheetValue f;
-        implicit.evaluate({&place.x, &place.y, &place.z, 1},
-                          {&f.value, {&f.gradient.x, &f.gradient.y, &f.gradient.z}, {}});
-        return f;
-    }
-    // Returns the distance between a place and the whole surface, in sides.
-    [[nodiscard]] double off_surface(const glm::dvec3& place) const {
-        const surface::SheetValue f = value(place);
-        return std::abs(f.value) / (mesh.side * glm::length(f.gradient));
-    }
-    [[nodiscard]] surface::MeetingPlace meeting(std::span<const std::int32_t> vertices, const glm::dvec3& from,
-                                                double reach) const {
+    [[nodiscard]] surface::MeetingSearch search(std::span<const std::int32_t> vertices, const glm::dvec3& from,
+                                                double reach) const noexcept {
         surface::Meeting all;
         for (const std::int32_t vertex : vertices) all.add(sheet[vertex]);
-        return surface::find_meeting(sheets, all, from, meeting_tolerance * mesh.side,
-                                     crease_tuning.farthest_meeting * reach);
+        return {all, from, crease_tuning.farthest_meeting * reach};
     }
+    void find_meetings(std::span<const surface::MeetingSearch> searches, surface::MeetingPlace* places) const {
+        surface::find_meetings(sheets, searches, meeting_tolerance * mesh.side, places);
+    }
+};
+
+// The whole function at up to two places for each node.
+struct WholeValues {
+    void add(const glm::dvec3& place) noexcept {
+        HRBFNPR_ASSERT(count < std::int64_t(2 * nodes_a_task));
+        for (int c = 0; c < 3; ++c) at[c][count] = place[c];
+        ++count;
+    }
+    void evaluate(const implicit::Implicit& implicit) {
+        if (count > 0)
+            implicit.evaluate({at[0], at[1], at[2], count}, {value, {gradient[0], gradient[1], gradient[2]}, {}});
+    }
+    [[nodiscard]] double slope(std::int64_t k) const noexcept {
+        return glm::length(glm::dvec3(gradient[0][k], gradient[1][k], gradient[2][k]));
+    }
+    // Returns the distance between a place and the whole surface, in sides.
+    [[nodiscard]] double off_surface(std::int64_t k, double side) const noexcept {
+        return std::abs(value[k]) / (side * slope(k));
+    }
+
+    std::int64_t count = 0;
+    double at[3][2 * nodes_a_task];
+    double value[2 * nodes_a_task];
+    double gradient[3][2 * nodes_a_task];
 };
 
 void find_sheets(const base::Work& work, SheetMesh& at) {
@@ -150,56 +169,122 @@ void settle_alone(const base::Work& work, SheetMesh& at) {
     }
 }
 
-// Returns whether f equals the maximum or the minimum of the two sheets around the node, as at a crease. This is false
-// where a third sheet covers the crease: f may then be 0 at the node but follow only one of the two sheets. In that
-// case f has opposite signs on the two sides of the node, in the direction in which the sheets differ most. `far` is
-// the distance from the node at which f is evaluated.
-bool is_folded(const SheetMesh& in, const EdgeNode& node, double far) {
-    const glm::dvec3 across = glm::normalize(node.gradient[0]) - glm::normalize(node.gradient[1]);
-    // The sine of half the angle between the sheets. At a distance d from a fold, in the direction of `across`, |f| is
-    // d times this sine.
-    const double sine = 0.5 * glm::length(across);
-    if (!(sine > crease_tuning.least_sine)) return true;
-    const glm::dvec3 way = far / (2.0 * sine) * across;
-    const auto off = [&](const glm::dvec3& place) {
-        const surface::SheetValue f = in.value(place);
-        return f.value / glm::length(f.gradient);
-    };
-    const double a = off(node.place.position + way);
-    const double b = off(node.place.position - way);
-    return !(a * b < 0.0 && std::min(std::abs(a), std::abs(b)) > 0.5 * sine * far);
+// A node, and the distance from it at which f is evaluated to test it.
+struct FoldTest {
+    const EdgeNode* node;
+    double far;
+};
+
+// Tells for each node whether f equals the maximum or the minimum of its two sheets around it, as at a crease. This is
+// false where a third sheet covers the crease: f may then be 0 at the node but follow only one of the two sheets. In
+// that case f has opposite signs on the two sides of the node, in the direction in which the sheets differ most.
+void find_folds(const SheetMesh& in, std::span<const FoldTest> tests, bool* is_folded) {
+    HRBFNPR_ASSERT(std::int64_t(tests.size()) <= nodes_a_task);
+    OfNodes<double> sine; // the sine of half the angle between the sheets
+    WholeValues f;
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        const EdgeNode& node = *tests[i].node;
+        const glm::dvec3 across = glm::normalize(node.gradient[0]) - glm::normalize(node.gradient[1]);
+        sine[i] = 0.5 * glm::length(across);
+        if (!(sine[i] > crease_tuning.least_sine)) continue;
+        const glm::dvec3 way = tests[i].far / (2.0 * sine[i]) * across;
+        f.add(node.place.position + way);
+        f.add(node.place.position - way);
+    }
+    f.evaluate(in.implicit);
+    std::int64_t k = 0;
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        is_folded[i] = true;
+        if (!(sine[i] > crease_tuning.least_sine)) continue;
+        const double a = f.value[k] / f.slope(k);
+        const double b = f.value[k + 1] / f.slope(k + 1);
+        k += 2;
+        // At a distance d from a fold, in the direction of `across`, |f| is d times the sine.
+        is_folded[i] = !(a * b < 0.0 && std::min(std::abs(a), std::abs(b)) > 0.5 * sine[i] * tests[i].far);
+    }
 }
 
-// Searches for the place where the sheets meet. It starts at the point of the edge where the difference of the sheets
-// is 0 by linear interpolation.
-void examine_edge(const SheetMesh& in, EdgeNode& node) {
-    const std::array<glm::dvec3, 2> place{in.mesh.position[node.ends[0]], in.mesh.position[node.ends[1]]};
-    std::array<double, 2> off{}; // the signed distance of each end from the sheet of the other end
-    node.alike = true;
-    for (std::size_t k = 0; k < 2; ++k) {
-        const surface::SheetValue other = surface::sheet_at(in.sheets, node.sheet[1 - k], place[k]);
-        const double slope = glm::length(other.gradient);
-        off[k] = other.value / slope;
-        const double apart =
-            std::max(std::abs(off[k]) / in.mesh.side,
-                     glm::distance(glm::normalize(in.mesh.gradient[node.ends[k]]), other.gradient / slope));
-        node.equal[k] = apart <= crease_tuning.equal;
-        node.alike = node.alike && apart <= crease_tuning.alike;
+// Compares the sheets of each edge's ends, and starts a search for the place where they meet: at the point of the edge
+// where the difference of the sheets is 0 by linear interpolation.
+void compare_sheets(const SheetMesh& in, std::span<EdgeNode* const> nodes, surface::MeetingSearch* searches) {
+    OfNodes<std::array<surface::SheetRequest, 2>> requests;
+    OfNodes<std::array<surface::SheetValue, 2>> values;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (std::size_t k = 0; k < 2; ++k)
+            requests[i][k] = {nodes[i]->sheet[1 - k], in.mesh.position[nodes[i]->ends[k]]};
+    surface::sheets_at(in.sheets, {requests[0].data(), 2 * nodes.size()}, values[0].data());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        EdgeNode& node = *nodes[i];
+        std::array<double, 2> off{}; // the signed distance of each end from the sheet of the other end
+        node.alike = true;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const surface::SheetValue& other = values[i][k];
+            const double slope = glm::length(other.gradient);
+            off[k] = other.value / slope;
+            const double apart =
+                std::max(std::abs(off[k]) / in.mesh.side,
+                         glm::distance(glm::normalize(in.mesh.gradient[node.ends[k]]), other.gradient / slope));
+            node.equal[k] = apart <= crease_tuning.equal;
+            node.alike = node.alike && apart <= crease_tuning.alike;
+        }
+        double share = off[0] / (off[0] + off[1]);
+        if (!(share > 0.0 && share < 1.0)) share = 0.5;
+        const glm::dvec3 a = requests[i][0].place;
+        const glm::dvec3 b = requests[i][1].place;
+        searches[i] = in.search(node.ends, glm::mix(a, b, share), std::min(in.mesh.side, 2.0 * glm::distance(a, b)));
     }
-    double share = off[0] / (off[0] + off[1]);
-    if (!(share > 0.0 && share < 1.0)) share = 0.5;
-    const glm::dvec3 from = glm::mix(place[0], place[1], share);
-    const surface::MeetingPlace found =
-        in.meeting(node.ends, from, std::min(in.mesh.side, 2.0 * glm::distance(place[0], place[1])));
-    node.place.position = found.found ? found.position : from;
-    node.meet = found.found;
-    node.gradient = {found.gradient[0], found.gradient[1]};
-    const double away = found.found ? in.off_surface(found.position) : crease_tuning.beside_surface;
-    node.place.exact = away <= crease_tuning.on_surface && is_folded(in, node, crease_tuning.on_surface * in.mesh.side);
-    const double sine = 0.5 * glm::distance(glm::normalize(node.gradient[0]), glm::normalize(node.gradient[1]));
+}
+
+// Searches for the places where the sheets of edges meet, and classifies these places.
+void examine_edges(const SheetMesh& in, std::span<EdgeNode* const> nodes) {
+    HRBFNPR_ASSERT(std::int64_t(nodes.size()) <= nodes_a_task);
+    OfNodes<surface::MeetingSearch> searches;
+    OfNodes<surface::MeetingPlace> found;
+    compare_sheets(in, nodes, searches.data());
+    in.find_meetings(std::span(searches).first(nodes.size()), found.data());
+    WholeValues f;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        EdgeNode& node = *nodes[i];
+        node.meet = found[i].found;
+        node.place.position = node.meet ? found[i].position : searches[i].from;
+        node.gradient = {found[i].gradient[0], found[i].gradient[1]};
+        if (node.meet) f.add(node.place.position);
+    }
+    f.evaluate(in.implicit);
+    OfNodes<double> away; // the distances of the nodes from the whole surface, in sides
+    std::int64_t next = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        away[i] = nodes[i]->meet ? f.off_surface(next++, in.mesh.side) : crease_tuning.beside_surface;
+    // Tests the nodes for which far() returns a distance above 0.
+    const auto test = [&](const auto& far, const auto& set) {
+        OfNodes<FoldTest> tests;
+        OfNodes<std::size_t> which;
+        OfNodes<bool> is_folded;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const double distance = far(i);
+            if (!(distance > 0.0)) continue;
+            which[count] = i;
+            tests[count++] = {nodes[i], distance};
+        }
+        find_folds(in, std::span(tests).first(count), is_folded.data());
+        for (std::size_t k = 0; k < count; ++k) set(*nodes[which[k]], is_folded[k]);
+    };
+    test(
+        [&](std::size_t i) {
+            return away[i] <= crease_tuning.on_surface ? crease_tuning.on_surface * in.mesh.side : 0.0;
+        },
+        [](EdgeNode& node, bool is_folded) { node.place.exact = is_folded; });
     // A fold slightly off the surface is tested at a distance where the exact place of the fold does not matter.
-    node.near = !node.place.exact && away < crease_tuning.beside_surface && sine > crease_tuning.sharp_sine &&
-                is_folded(in, node, 2.0 * crease_tuning.beside_surface / sine * in.mesh.side);
+    test(
+        [&](std::size_t i) {
+            const auto& gradient = nodes[i]->gradient;
+            const double sine = 0.5 * glm::distance(glm::normalize(gradient[0]), glm::normalize(gradient[1]));
+            const bool may_be =
+                !nodes[i]->place.exact && away[i] < crease_tuning.beside_surface && sine > crease_tuning.sharp_sine;
+            return may_be ? 2.0 * crease_tuning.beside_surface / sine * in.mesh.side : 0.0;
+        },
+        [](EdgeNode& node, bool is_folded) { node.near = is_folded; });
 }
 
 // The half-edges that start at each vertex.
@@ -261,7 +346,9 @@ void make_nodes(const base::Work& work, const base::Array<std::int64_t>& crossed
         if (const std::int64_t other = opposite_of(in.mesh, e); other >= 0) in.node[other] = in.node[e];
     }
     in.implicit.threads(work).for_chunks(fresh.size(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) examine_edge(in, in.edges[fresh[i]]);
+        OfNodes<EdgeNode*> nodes;
+        for (std::int64_t i = begin; i < end; ++i) nodes[static_cast<std::size_t>(i - begin)] = &in.edges[fresh[i]];
+        examine_edges(in, std::span(nodes).first(static_cast<std::size_t>(end - begin)));
     });
 }
 
@@ -278,9 +365,8 @@ void find_edges(const base::Work& work, SheetMesh& in) {
         const std::int32_t start = start_of(in.mesh, e);
         const std::int32_t* const first = sorted.data() + begin[start];
         const std::int32_t* const end = sorted.data() + begin[start + 1];
-        const std::int32_t* const at = std::find_if(first, end, [&](std::int32_t number) {
-            return in.edges[number].ends[1] == end_of(in.mesh, e);
-        });
+        const std::int32_t* const at = std::find_if(
+            first, end, [&](std::int32_t number) { return in.edges[number].ends[1] == end_of(in.mesh, e); });
         known.push_back(at != end ? *at : -1);
     }
     in.node.resize_for_overwrite(in.mesh.corner.size());
@@ -353,16 +439,25 @@ void find_corners(const base::Work& work, SheetMesh& in) {
     for (std::int64_t t = 0; t < in.mesh.triangles(); ++t)
         if (in.sheets_of(t) == 3) in.corners.push_back({t, {}, {}});
     in.implicit.threads(work).for_chunks(in.corners.size(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) {
-            CornerNode& node = in.corners[i];
+        OfNodes<surface::MeetingSearch> searches;
+        OfNodes<surface::MeetingPlace> found;
+        const std::span<CornerNode> nodes(in.corners.data() + begin, static_cast<std::size_t>(end - begin));
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const std::int64_t first = 3 * nodes[i].triangle;
             glm::dvec3 middle(0.0);
-            for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3; ++e)
-                middle += in.edges[in.node[e]].place.position / 3.0;
-            const surface::MeetingPlace found =
-                in.meeting({in.mesh.corner.data() + 3 * node.triangle, 3}, middle, in.mesh.side);
-            node.place.position = found.found ? found.position : middle;
-            node.gradient = found.gradient;
-            node.place.exact = found.found && in.off_surface(found.position) <= crease_tuning.on_surface;
+            for (std::int64_t e = first; e < first + 3; ++e) middle += in.edges[in.node[e]].place.position / 3.0;
+            searches[i] = in.search({in.mesh.corner.data() + first, 3}, middle, in.mesh.side);
+        }
+        in.find_meetings(std::span(searches).first(nodes.size()), found.data());
+        WholeValues f;
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            if (found[i].found) f.add(found[i].position);
+        f.evaluate(in.implicit);
+        std::int64_t next = 0;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            nodes[i].place.position = found[i].found ? found[i].position : searches[i].from;
+            nodes[i].gradient = found[i].gradient;
+            nodes[i].place.exact = found[i].found && f.off_surface(next++, in.mesh.side) <= crease_tuning.on_surface;
         }
     });
 }
@@ -410,8 +505,13 @@ void place_rest(SheetMesh& in) {
         for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3 && !node.place.exact; ++e) {
             const EdgeNode& beside = in.edges[in.node[e]];
             if (!beside.place.exact) continue;
-            const surface::MeetingPlace found = in.meeting(beside.ends, node.place.position, in.mesh.side);
-            node.place.exact = found.found && in.off_surface(found.position) < crease_tuning.beside_surface;
+            const surface::MeetingSearch search = in.search(beside.ends, node.place.position, in.mesh.side);
+            surface::MeetingPlace found;
+            in.find_meetings({&search, 1}, &found);
+            WholeValues f;
+            f.add(found.position);
+            f.evaluate(in.implicit);
+            node.place.exact = found.found && f.off_surface(0, in.mesh.side) < crease_tuning.beside_surface;
             if (node.place.exact) node.place.position = found.position;
         }
         for (std::size_t k = 0; k < 3; ++k)

@@ -583,7 +583,7 @@ CreaseEnd crease_end(const implicit::Sheets* sheets, const glm::dvec3& inner, co
     surface::Meeting meeting;
     meeting.add(own);
     meeting.add(other);
-    const surface::MeetingPlace place = surface::find_meeting(*sheets, meeting, end, 1e-7 * step, ahead);
+    const surface::MeetingPlace place = surface::find_meeting(*sheets, {meeting, end, ahead}, 1e-7 * step);
     if (!place.found ||
         !surface::is_creased(own, other, glm::normalize(place.gradient[0]), glm::normalize(place.gradient[1])))
         return {};

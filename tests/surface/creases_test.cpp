@@ -106,14 +106,14 @@ TEST(ProjectAtCreases, FindsWhereSheetsMeet) {
     const glm::dvec3 corner = glm::transpose(odd_turn()) * glm::dvec3(1.0);
     Meeting three;
     for (const std::int32_t sheet : {0, 2, 4}) three.add(sheet);
-    const MeetingPlace at = find_meeting(*shape, three, corner + glm::dvec3(0.1, -0.05, 0.07), 1e-12, 1.0);
+    const MeetingPlace at = find_meeting(*shape, {three, corner + glm::dvec3(0.1, -0.05, 0.07), 1.0}, 1e-12);
     ASSERT_TRUE(at.found);
     EXPECT_LE(glm::distance(at.position, corner), 1e-12);
     EXPECT_NEAR(glm::dot(at.gradient[0], at.gradient[1]), 0.0, 1e-12);
     Meeting opposite; // the cube's sides 0 and 1 are parallel
     opposite.add(0);
     opposite.add(1);
-    EXPECT_FALSE(find_meeting(*shape, opposite, corner, 1e-12, 10.0).found);
+    EXPECT_FALSE(find_meeting(*shape, {opposite, corner, 10.0}, 1e-12).found);
     Meeting many;
     for (const std::int32_t sheet : {0, 2, 4, 5}) many.add(sheet);
     EXPECT_FALSE(many.has(0));

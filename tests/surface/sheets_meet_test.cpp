@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace hrbfnpr::surface::sheets_meet_test {
 namespace {
@@ -39,7 +40,7 @@ MeetingPlace meet(double noise, double tolerance, double x = 1.6) {
     Meeting meeting;
     meeting.add(0);
     meeting.add(1);
-    return find_meeting(BallAndPlane(noise), meeting, {x, 0.3, 1.2}, tolerance, 1.0);
+    return find_meeting(BallAndPlane(noise), {meeting, {x, 0.3, 1.2}, 1.0}, tolerance);
 }
 
 TEST(SheetsMeet, WhereBothAreZero) {
@@ -65,7 +66,44 @@ TEST(SheetsMeet, NowhereWithinReach) {
     Meeting meeting;
     meeting.add(0);
     meeting.add(1);
-    EXPECT_FALSE(find_meeting(BallAndPlane(0.0), meeting, {1.6, 0.3, 1.2}, 1e-12, 0.05).found);
+    EXPECT_FALSE(find_meeting(BallAndPlane(0.0), {meeting, {1.6, 0.3, 1.2}, 0.05}, 1e-12).found);
+}
+
+TEST(SheetsMeet, ManyAsOneByOne) {
+    const BallAndPlane sheets(2e-10);
+    std::vector<MeetingSearch> searches;
+    for (int i = 0; i < 150; ++i) { // more than are searched for together; some fail
+        MeetingSearch& search = searches.emplace_back();
+        if (i % 7 != 0) search.meeting.add(1);
+        search.meeting.add(0);
+        search.from = {1.0 + 0.01 * i, 0.3 * std::sin(i), 0.9 + 0.002 * i};
+        search.farthest = i % 5 == 0 ? 0.05 : 1.0;
+    }
+    std::vector<MeetingPlace> places(searches.size());
+    find_meetings(sheets, searches, 1e-12, places.data());
+    int found = 0;
+    for (std::size_t i = 0; i < searches.size(); ++i) {
+        const MeetingPlace alone = find_meeting(sheets, searches[i], 1e-12);
+        EXPECT_EQ(places[i].found, alone.found) << i;
+        EXPECT_EQ(places[i].position, alone.position) << i;
+        EXPECT_EQ(places[i].gradient, alone.gradient) << i;
+        found += alone.found ? 1 : 0;
+    }
+    EXPECT_GT(found, 100);
+    EXPECT_LT(found, 150);
+}
+
+TEST(SheetsMeet, AnswersAreInTheOrderOfTheRequests) {
+    const BallAndPlane sheets(0.0);
+    std::vector<SheetRequest> requests;
+    for (int i = 0; i < 500; ++i) requests.push_back({i % 3 == 0 ? 1 : 0, {0.1 * i, std::sin(i), 0.3 * std::cos(i)}});
+    std::vector<SheetValue> answers(requests.size());
+    sheets_at(sheets, requests, answers.data());
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        const SheetValue alone = sheet_at(sheets, requests[i].sheet, requests[i].place);
+        EXPECT_EQ(answers[i].value, alone.value) << i;
+        EXPECT_EQ(answers[i].gradient, alone.gradient) << i;
+    }
 }
 
 } // namespace
