@@ -6,6 +6,7 @@
 #include "geometry/neighbours.h"
 #include "geometry/point_grid.h"
 #include "geometry/tangent_frame.h"
+#include "hatching/power.h"
 #include "hatching/tuning.h"
 #include "surface/creased.h"
 #include "surface/curvature.h"
@@ -19,18 +20,21 @@ namespace {
 
 // Returns the magnitude of a number whose square neither overflows nor underflows. This is faster than std::abs, which
 // handles these cases, too.
-[[nodiscard]] inline double magnitude(const Complex& z) noexcept {
+template <class Real>
+[[nodiscard]] Real magnitude(const std::complex<Real>& z) noexcept {
     return std::sqrt(z.real() * z.real() + z.imag() * z.imag());
 }
-[[nodiscard]] inline Complex to_unit(const Complex& z) noexcept {
-    const double size = magnitude(z);
-    return size > 0.0 ? z / size : z;
+template <class Real>
+[[nodiscard]] std::complex<Real> to_unit(const std::complex<Real>& z) noexcept {
+    const Real size = magnitude(z);
+    return size > Real(0) ? z / size : z;
 }
 
 // ---- Transport of numbers along links
 
 struct Link {
-    Complex factor; // the factor that transports the number of node `to` to the node where the link begins
+    // the factor that transports the number of node `to` to the node where the link begins
+    std::complex<float> factor;
     std::int32_t to;
     // 1 or -1. For -1 the number is conjugated first, because the lines of the two nodes point in opposite directions.
     float sense;
@@ -67,18 +71,21 @@ public:
         return static_cast<double>(graph_.first[i + 1] - graph_.first[i]);
     }
     // Returns the sum of the neighbours' numbers after their transport to node i.
-    [[nodiscard]] Complex neighbour_sum(std::int64_t i, const Numbers& z) const noexcept {
-        Complex sum(0.0);
+    template <class Real>
+    [[nodiscard]] std::complex<Real> neighbour_sum(std::int64_t i,
+                                                   const base::Array<std::complex<Real>>& z) const noexcept {
+        std::complex<Real> sum(0);
         for (std::int64_t k = graph_.first[i]; k < graph_.first[i + 1]; ++k) {
             const Link& link = link_[k];
-            const Complex& there = z[link.to];
-            sum += product(link.factor, {there.real(), static_cast<double>(link.sense) * there.imag()});
+            const std::complex<Real> there = z[link.to];
+            sum += product(std::complex<Real>(link.factor), {there.real(), Real(link.sense) * there.imag()});
         }
         return sum;
     }
     // Returns the mean of the number of node i and its neighbours' numbers after their transport to node i.
-    [[nodiscard]] Complex mean(std::int64_t i, const Numbers& z) const noexcept {
-        return (neighbour_sum(i, z) + z[i]) / (1.0 + count(i));
+    template <class Real>
+    [[nodiscard]] std::complex<Real> mean(std::int64_t i, const base::Array<std::complex<Real>>& z) const noexcept {
+        return (neighbour_sum(i, z) + z[i]) / Real(1.0 + count(i));
     }
     // Converts the links for waves of half the period: along each link, the phase grows by twice as much.
     void halve_period(const base::Work& work) {
@@ -94,13 +101,28 @@ private:
 };
 
 // Replaces z by next(i, z) at all nodes simultaneously. Repeats this `rounds` times.
-template <class Next>
-void iterate(const base::Work& work, int rounds, Numbers& z, const Next& next) {
-    Numbers after(work.memory, z.size());
+template <class Number, class Next>
+void iterate(const base::Work& work, int rounds, base::Array<Number>& z, const Next& next) {
+    base::Array<Number> after(work.memory, z.size());
     for (int round = 0; round < rounds; ++round) {
         for_nodes(work, z.size(), [&](std::int64_t i) { after[i] = next(i, z); });
         std::swap(after, z);
     }
+}
+
+// Averages waves with their neighbours, and scales them to unit magnitude.
+void average_units(const base::Work& work, const Links& links, int rounds, Wave& z) {
+    iterate(work, rounds, z,
+            [&](std::int64_t i, const Wave& now) { return to_unit(links.neighbour_sum(i, now) + now[i]); });
+}
+
+// Sets the numbers of all nodes except the first `known` ones to means of their neighbours, scaled to unit magnitude.
+template <class Real>
+void fill_in(const base::Work& work, const Links& links, std::int64_t known, base::Array<std::complex<Real>>& z) {
+    if (known == z.size()) return;
+    iterate(work, hatching_tuning.fill_rounds, z, [&](std::int64_t i, const base::Array<std::complex<Real>>& now) {
+        return i < known ? now[i] : to_unit(links.neighbour_sum(i, now) + now[i]);
+    });
 }
 
 // Returns the sum of value(i) over all nodes. It is summed within each task, then over the tasks in order, so the
@@ -160,16 +182,52 @@ void solve(const base::Work& work, double tolerance, int most_steps, const Links
 
 // ---- The graph
 
-bool are_linked(const SampleGraph& graph, std::int64_t i, std::int64_t j) noexcept {
+bool are_linked(const SampleGraph& graph, double spacing, std::int64_t i, std::int64_t j) noexcept {
     const glm::dvec3 a = graph.normal[i];
     const glm::dvec3 b = graph.normal[j];
     const glm::dvec3 way = graph.position[j] - graph.position[i];
     const double length = glm::length(way);
-    if (!(length > 0.0 && length <= hatching_tuning.farthest_link * graph.spacing)) return false;
+    if (!(length > 0.0 && length <= hatching_tuning.farthest_link * spacing)) return false;
     if (!(glm::dot(a, b) > hatching_tuning.same_sheet_cosine)) return false;
     if (!graph.sheet.empty() && surface::is_creased(graph.sheet[i], graph.sheet[j], a, b)) return false;
     const double steepest = hatching_tuning.steepest_link * length;
     return std::abs(glm::dot(way, a)) <= steepest && std::abs(glm::dot(way, b)) <= steepest;
+}
+
+// Returns the number of samples whose spacing is at most `spacing`.
+std::int64_t samples_with_spacing(const SampleGraph& graph, double spacing) noexcept {
+    const std::int64_t all = graph.position.size();
+    const double share = std::pow(graph.spacing / spacing, 2.0);
+    const auto count = static_cast<std::int64_t>(std::ceil(std::min(share, 1.0) * static_cast<double>(all)));
+    return std::clamp(count, std::min(all, hatching_tuning.fewest_coarse), all);
+}
+
+// Links the first `count` samples with each other.
+Graph link_first(const base::Work& work, const SampleGraph& samples, std::int64_t count) {
+    const double spacing =
+        samples.spacing * std::sqrt(static_cast<double>(samples.position.size()) / static_cast<double>(count));
+    geometry::VecArray position(work.memory, count);
+    for (std::int64_t i = 0; i < count; ++i) position.set(i, samples.position[i]);
+    const geometry::Neighbours near(work.runtime().parallel, position, hatching_tuning.neighbours, work);
+    // Each number has the index of a start node in its upper 32 bits, and of an end node in its lower 32 bits.
+    base::Array<std::uint64_t> links(work.memory);
+    for (const std::int64_t i : work.over(count)) {
+        for (const std::int64_t j : near.of(i)) {
+            if (!are_linked(samples, spacing, i, j)) continue;
+            links.push_back(static_cast<std::uint64_t>(i) << 32U | static_cast<std::uint64_t>(j));
+            links.push_back(static_cast<std::uint64_t>(j) << 32U | static_cast<std::uint64_t>(i));
+        }
+    }
+    base::sort_long(links.begin(), links.end(), std::less<>(), work); // Equal numbers are the same link, found twice.
+    links.resize(std::unique(links.begin(), links.end()) - links.begin());
+    Graph graph(work.memory);
+    graph.first.resize(count + 1);
+    for (const std::uint64_t link : links) {
+        graph.neighbour.push_back(static_cast<std::int32_t>(link & 0xffffffffU));
+        ++graph.first[static_cast<std::int64_t>(link >> 32U) + 1];
+    }
+    std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
+    return graph;
 }
 
 // Returns the link that transports the line of sample j, exp(2 i angle) in its frame, to sample i. It uses the smallest
@@ -181,7 +239,7 @@ Link line_link(const SampleGraph& graph, std::int64_t i, std::int32_t j) noexcep
     const glm::dvec3 axis = glm::cross(a, b);
     const double cosine = glm::dot(a, b);
     const glm::dvec3 carried = t * cosine + glm::cross(axis, t) + axis * (glm::dot(axis, t) / (1.0 + cosine));
-    return {std::polar(1.0, -2.0 * graph.angle(j, carried)), j, 1.0F};
+    return {std::complex<float>(std::polar(1.0, -2.0 * graph.angle(j, carried))), j, 1.0F};
 }
 
 // ---- The lines that the field should follow
@@ -304,7 +362,8 @@ Numbers target_lines(const marks::Site& site, const SampleGraph& graph, const Li
 
 Links wave_links(const base::Work& work, const Graph& graph, const Waves& waves, double period) {
     return {work, graph, [&](std::int64_t i, std::int32_t j) -> Link {
-                return {std::polar(1.0, -waves.growth(i, j, period)), j, waves.turned(i, j) ? -1.0F : 1.0F};
+                return {std::polar(1.0F, static_cast<float>(-waves.growth(i, j, period))), j,
+                        waves.turned(i, j) ? -1.0F : 1.0F};
             }};
 }
 
@@ -325,29 +384,28 @@ Numbers first_wave(const base::Work& work, const Links& links, std::uint64_t see
         solve(work, 1e-3, 200, links, diagonal, 1.0, x, next);
         std::swap(x, next);
     }
-    for_nodes(work, n, [&](std::int64_t i) { x[i] = to_unit(x[i]); });
     return x;
 }
 
 // Returns a wave of half the period: its phase is twice as large. Plain means make the wave small where it is squeezed
 // or stretched. Waves of the correct length then grow into these places from their surroundings, and a fork of two
 // lines becomes two forks. Waves of unit height could not do this, and lines would stay too dense or too sparse.
-Numbers halved(const base::Work& work, const Links& links, const Numbers& wave, int means) {
+Wave halved(const base::Work& work, const Links& links, const Wave& wave, int means, int unit_means) {
     HRBFNPR_ASSERT(links.nodes() == wave.size());
-    Numbers z(work.memory, wave.size());
+    Wave z(work.memory, wave.size());
     for_nodes(work, z.size(), [&](std::int64_t i) { z[i] = to_unit(product(wave[i], wave[i])); });
-    iterate(work, means, z, [&](std::int64_t i, const Numbers& now) { return links.mean(i, now); });
-    iterate(work, hatching_tuning.unit_averages, z,
-            [&](std::int64_t i, const Numbers& now) { return to_unit(links.neighbour_sum(i, now) + now[i]); });
+    apply_power(work, means, hatching_tuning.walk_deviations, z,
+                [&](std::int64_t i, const Wave& now) { return links.mean(i, now); });
+    average_units(work, links, unit_means, z);
     return z;
 }
 
 // A sample that influences a vertex of the mesh.
 struct WeightedSample {
     std::int64_t sample;
-    double weight;
+    float weight;
     bool turned = false;
-    Complex factor{1.0}; // the factor that transports the wave of the sample to the vertex
+    std::complex<float> factor{1.0F}; // the factor that transports the wave of the sample to the vertex
 };
 
 // Returns the unit line of a vertex as a mean of the lines of nearby samples, or 0 if the vertex has no line. Angles
@@ -361,8 +419,9 @@ glm::dvec3 mean_line(const Waves& samples, const base::Array<WeightedSample>& ne
     for (const WeightedSample& h : nearby) {
         const glm::dvec3 t = samples.along[h.sample];
         const Complex z(glm::dot(t, u), glm::dot(t, v));
-        sum += h.weight * product(z, z);
-        weights += h.weight;
+        const auto weight = static_cast<double>(h.weight);
+        sum += weight * product(z, z);
+        weights += weight;
     }
     if (!(magnitude(sum) > 1e-3 * weights)) return glm::dvec3(0.0);
     const double angle = 0.5 * std::arg(sum);
@@ -375,17 +434,17 @@ void interpolate(const Waves& samples, base::Array<WeightedSample>& nearby, cons
     const glm::dvec3 line = mean_line(samples, nearby, normal);
     if (glm::dot(line, line) == 0.0) return;
     result.set_line(vertex, normal, line);
-    double weights = 0.0;
+    float weights = 0.0F;
     for (WeightedSample& h : nearby) {
         const glm::dvec3 there = samples.across[h.sample];
         h.turned = glm::dot(line, samples.along[h.sample]) < 0.0;
         const glm::dvec3 mean = 0.5 * (result.across[vertex] + (h.turned ? -there : there));
         const glm::dvec3 way = result.position[vertex] - samples.position[h.sample];
-        h.factor = std::polar(1.0, tau / samples.period * glm::dot(way, mean));
+        h.factor = std::polar(1.0F, static_cast<float>(tau / samples.period * glm::dot(way, mean)));
         weights += h.weight;
     }
     for (std::int64_t level = 0; level < samples.level.size(); ++level) {
-        Complex sum(0.0);
+        std::complex<float> sum(0.0F);
         for (WeightedSample& h : nearby) {
             // Each level has half the period of the previous level.
             if (level > 0) h.factor = product(h.factor, h.factor);
@@ -420,7 +479,7 @@ Waves interpolated(const base::Work& work, const SampleGraph& graph, const Waves
                 if (height * height > hatching_tuning.steepest_offset * hatching_tuning.steepest_offset * squared)
                     return;
                 const double rest = 1.0 - squared / (radius * radius);
-                nearby.push_back({i, rest * rest});
+                nearby.push_back({i, static_cast<float>(rest * rest)});
             });
             interpolate(samples, nearby, n, v, result);
         }
@@ -460,47 +519,38 @@ void link_samples(const base::Work& work, SampleGraph& graph) {
     HRBFNPR_ASSERT(graph.spacing > 0.0 || n == 0);
     graph.u.resize(n);
     for (std::int64_t i = 0; i < n; ++i) graph.u.set(i, geometry::any_perpendicular(graph.normal[i]));
-    const geometry::Neighbours near(work.runtime().parallel, graph.position, hatching_tuning.neighbours, work);
-    // Each number has the index of a start node in its upper 32 bits, and of an end node in its lower 32 bits.
-    base::Array<std::uint64_t> links(work.memory);
-    for (const std::int64_t i : work.over(n)) {
-        for (const std::int64_t j : near.of(i)) {
-            if (!are_linked(graph, i, j)) continue;
-            links.push_back(static_cast<std::uint64_t>(i) << 32U | static_cast<std::uint64_t>(j));
-            links.push_back(static_cast<std::uint64_t>(j) << 32U | static_cast<std::uint64_t>(i));
-        }
-    }
-    base::sort_long(links.begin(), links.end(), std::less<>(), work); // Equal numbers are the same link, found twice.
-    links.resize(std::unique(links.begin(), links.end()) - links.begin());
-    graph.first.resize(n + 1);
-    for (const std::uint64_t link : links) {
-        graph.neighbour.push_back(static_cast<std::int32_t>(link & 0xffffffffU));
-        ++graph.first[static_cast<std::int64_t>(link >> 32U) + 1];
-    }
-    std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
+    static_cast<Graph&>(graph) = link_first(work, graph, n);
 }
 
 // L is the Laplacian of the links, q the wanted lines, a their confidence, l the smoothing length and h the spacing.
-// This solves (L (l / h)^2 / 6 + a) z = a q, and then twice more, with a term that pulls z to unit length.
+// This solves (L (l / h)^2 / 6 + a) z = a q, and then twice more, with a term that pulls z to unit length. The lines do
+// not change much within the smoothing length, so the system has only the first samples, and the others are filled in.
 base::Array<double> line_angles(const marks::Site& site, const SampleGraph& graph, const FieldSettings& settings,
                                 const marks::DirectionFunction& function) {
-    const base::Runtime& runtime = site.work;
-    const Links links(site.work, graph, [&](std::int64_t i, std::int32_t j) { return line_link(graph, i, j); });
-    const Numbers wanted = target_lines(site, graph, links, settings, function);
-    const double length = settings.smoothing * settings.diagonal / graph.spacing;
-    const double stiffness = length * length / 6.0;
-    Numbers z(runtime.memory, graph.nodes());
-    Numbers right(runtime.memory, graph.nodes());
-    base::Array<double> diagonal(runtime.memory, graph.nodes());
+    const base::Work& work = site.work;
+    const auto line_between = [&](std::int64_t i, std::int32_t j) { return line_link(graph, i, j); };
+    const Links all_links(work, graph, line_between);
+    const Numbers wanted = target_lines(site, graph, all_links, settings, function);
+    const double smoothing = settings.smoothing * settings.diagonal;
+    const std::int64_t count = samples_with_spacing(graph, hatching_tuning.field_spacing * smoothing);
+    const Graph coarse = link_first(work, graph, count);
+    const Links links(work, coarse, line_between);
+    const double stiffness = std::pow(smoothing / graph.spacing, 2.0) / 6.0 * static_cast<double>(count) /
+                             static_cast<double>(graph.nodes());
+    Numbers z(work.memory, count);
+    Numbers right(work.memory, count);
+    base::Array<double> diagonal(work.memory, count);
     for (const double pull : {0.0, hatching_tuning.pull_to_unit, hatching_tuning.pull_to_unit}) {
-        for_nodes(site.work, graph.nodes(), [&](std::int64_t i) {
+        for_nodes(work, count, [&](std::int64_t i) {
             const double size = std::abs(z[i]);
             right[i] = wanted[i] + (size > 0.0 ? pull / size * z[i] : Complex(0.0));
             diagonal[i] = std::abs(wanted[i]) + pull + 1e-6 + stiffness * links.count(i);
         });
-        solve(site.work, 1e-4, 400, links, diagonal, stiffness, right, z);
+        solve(work, 1e-4, 400, links, diagonal, stiffness, right, z);
     }
-    base::Array<double> angle(runtime.memory, graph.nodes());
+    z.resize(graph.nodes());
+    fill_in(work, all_links, count, z);
+    base::Array<double> angle(work.memory, graph.nodes());
     for (std::int64_t i = 0; i < graph.nodes(); ++i) angle[i] = 0.5 * std::arg(z[i]);
     return angle;
 }
@@ -508,12 +558,20 @@ base::Array<double> line_angles(const marks::Site& site, const SampleGraph& grap
 void add_sample_waves(const base::Work& work, const SampleGraph& graph, std::uint64_t seed, int levels,
                       Waves& samples) {
     HRBFNPR_ASSERT(samples.along.size() == graph.nodes() && samples.level.empty() && samples.period > 0.0);
+    const std::int64_t count = samples_with_spacing(graph, hatching_tuning.first_spacing * samples.period);
+    const Graph coarse = link_first(work, graph, count);
+    const Numbers first = first_wave(work, wave_links(work, coarse, samples, samples.period), seed);
     Links links = wave_links(work, graph, samples, samples.period);
-    samples.level.add(first_wave(work, links, seed));
+    Wave wave(work.memory, graph.nodes());
+    for (std::int64_t i = 0; i < count; ++i) wave[i] = std::complex<float>(to_unit(first[i]));
+    fill_in(work, links, count, wave);
+    average_units(work, links, hatching_tuning.unit_averages, wave);
+    samples.level.add(std::move(wave));
     const double finest = hatching_tuning.finest_period * graph.spacing;
     while (samples.finest() < levels && samples.period_of(samples.finest() + 1) >= finest) {
         links.halve_period(work);
-        samples.level.add(halved(work, links, samples.level.back(), hatching_tuning.sample_means));
+        samples.level.add(
+            halved(work, links, samples.level.back(), hatching_tuning.sample_means, hatching_tuning.unit_averages));
     }
 }
 
@@ -522,13 +580,16 @@ Waves waves_at_vertices(const base::Work& work, const SampleGraph& graph, const 
     HRBFNPR_ASSERT(!samples.level.empty());
     HRBFNPR_ASSERT(sheets.empty() || (sheets.size() == mesh.vertices() && graph.sheet.size() == graph.nodes()));
     Waves waves = interpolated(work.part(0.0, 0.5), graph, samples, mesh, sheets);
-    const auto is_next_known = [&] { return waves.period_of(waves.finest() + 1) >= mesh.side; };
+    const auto is_next_known = [&] {
+        return waves.period_of(waves.finest() + 1) >= hatching_tuning.finest_on_mesh * mesh.side;
+    };
     if (waves.finest() >= levels || !is_next_known()) return waves;
     const Graph edges = graph_of(work.memory, mesh);
     Links links = wave_links(work, edges, waves, waves.period_of(waves.finest()));
     while (waves.finest() < levels && is_next_known()) {
         links.halve_period(work);
-        waves.level.add(halved(work, links, waves.level.back(), hatching_tuning.vertex_means));
+        waves.level.add(
+            halved(work, links, waves.level.back(), hatching_tuning.vertex_means, hatching_tuning.vertex_averages));
     }
     return waves;
 }

@@ -22,12 +22,14 @@
 namespace hrbfnpr::hatching {
 
 using Complex = std::complex<double>;
-using Numbers = base::Array<Complex>; // one number per node
+using Numbers = base::Array<Complex>;          // one number per node
+using Wave = base::Array<std::complex<float>>; // one number per node
 inline constexpr double tau = 2.0 * std::numbers::pi;
 
 // Returns the product of finite numbers. The operator of std::complex also checks for NaN, which takes longer than the
 // product.
-[[nodiscard]] inline Complex product(const Complex& a, const Complex& b) noexcept {
+template <class Real>
+[[nodiscard]] std::complex<Real> product(const std::complex<Real>& a, const std::complex<Real>& b) noexcept {
     return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
@@ -58,7 +60,8 @@ struct FieldSettings {
     [[nodiscard]] bool operator==(const FieldSettings& other) const noexcept = default;
 };
 
-// Evenly spread samples of the surface. No link of the graph crosses a crease or leads to another sheet.
+// Evenly spread samples of the surface. The first samples alone are evenly spread, too, however many they are. No link
+// of the graph crosses a crease or leads to another sheet.
 struct SampleGraph : Graph {
     explicit SampleGraph(base::Memory& memory) noexcept
         : Graph(memory), position(memory), normal(memory), sheet(memory), u(memory) {}
@@ -122,11 +125,14 @@ struct Waves {
     const geometry::VecArray& position; // the position of each node
     geometry::VecArray along, across;   // unit tangent vectors; 0 if a node has no line
     double period;                      // the period of the first wave, in units of the object
-    base::List<Numbers> level;          // the waves, from coarse to fine
+    base::List<Wave> level;             // the waves, from coarse to fine
 };
 
 // Converts the number of a wave from one line to another line. `turned`: the two lines point in opposite directions.
-[[nodiscard]] inline Complex conjugated_if(const Complex& z, bool turned) noexcept { return turned ? std::conj(z) : z; }
+template <class Real>
+[[nodiscard]] std::complex<Real> conjugated_if(const std::complex<Real>& z, bool turned) noexcept {
+    return {z.real(), turned ? -z.imag() : z.imag()};
+}
 
 // Adds waves to `samples`, which must already have lines: `levels` waves, or fewer if the samples can represent only
 // fewer.

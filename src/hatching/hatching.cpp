@@ -66,7 +66,9 @@ HatchingField::HatchingField(const marks::Site& site, const stipples::SurfaceCel
     angle_ = line_angles(site.part(0.46, 0.64), graph_, settings.field, settings.direction);
     curves::MeshSettings mesh;
     mesh.region = region_;
-    mesh.side = std::max(separation_of(settings, area_), std::sqrt(area_ / hatching_tuning.most_cells));
+    const double separation = separation_of(settings, area_);
+    mesh.side = std::max(hatching_tuning.mesh_side * separation, std::sqrt(area_ / hatching_tuning.most_cells));
+    mesh.tolerance = hatching_tuning.vertex_tolerance * separation / site.implicit.diagonal();
     mesh.domain = site.implicit.domain();
     mesh_ = triangulate_of_any_size(site.work.part(0.64, 0.94), site.implicit, graph_.position, mesh);
     if (site.implicit.sheets() == nullptr) return;

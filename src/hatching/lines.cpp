@@ -35,15 +35,15 @@ struct Crossing {
 };
 
 // Calls visit(crossing, line number) for all crests of the finest wave between two vertices, and for 2^halvings - 1
-// lines between any two consecutive crests, in the order of their numbers.
+// lines between any two consecutive crests, in the order of their numbers. `phase` is that of the finest wave.
 template <class Visit>
-void visit_crests(const Waves& waves, int halvings, std::int32_t a, std::int32_t b, const Visit& visit) {
-
+void visit_crests(const Waves& waves, const base::Array<float>& phase, int halvings, std::int32_t a, std::int32_t b,
+                  const Visit& visit) {
     if (!waves.has_line(a) || !waves.has_line(b)) return;
     const double scale = std::ldexp(1.0, halvings) / tau;
     const double growth = waves.growth(a, b, waves.period_of(waves.finest()));
-    const double begin = std::arg(waves.level[waves.finest()][a]);
-    const double end = std::arg(conjugated_if(waves.level[waves.finest()][b], waves.turned(a, b)));
+    const auto begin = static_cast<double>(phase[a]);
+    const auto end = static_cast<double>(waves.turned(a, b) ? -phase[b] : phase[b]);
     const double change = growth + std::remainder(end - begin - growth, tau);
     const double last = scale * std::max(begin, begin + change);
     for (double k = std::floor(scale * std::min(begin, begin + change)) + 1.0; k <= last; k += 1.0) {
@@ -59,10 +59,12 @@ void visit_crests(const Waves& waves, int halvings, std::int32_t a, std::int32_t
 std::uint8_t level_of(const Waves& waves, int halvings, const Crossing& c, std::int64_t line) noexcept {
     const int twos = std::countr_zero(static_cast<std::uint64_t>(line));
     if (twos < halvings) return static_cast<std::uint8_t>(waves.finest() + halvings - twos);
+    const bool turned = waves.turned(c.a, c.b);
     for (std::int64_t coarser = waves.finest() - 1; coarser >= 0; --coarser) {
         const double growth = waves.growth(c.a, c.b, waves.period_of(coarser));
-        const Complex at_b = conjugated_if(waves.level[coarser][c.b], waves.turned(c.a, c.b));
-        const Complex from_a = product(waves.level[coarser][c.a], std::polar(1.0 - c.share, c.share * growth));
+        const Complex at_a(waves.level[coarser][c.a]);
+        const Complex at_b(conjugated_if(waves.level[coarser][c.b], turned));
+        const Complex from_a = product(at_a, std::polar(1.0 - c.share, c.share * growth));
         const Complex from_b = product(at_b, std::polar(c.share, (c.share - 1.0) * growth));
         if (std::real(from_a + from_b) < 0.0) return static_cast<std::uint8_t>(coarser + 1);
     }
@@ -83,6 +85,10 @@ struct Crossings {
 
 Crossings cross_edges(const base::Work& work, const curves::SurfaceMesh& mesh, const Waves& waves, int halvings) {
     Crossings found(work.memory);
+    base::Array<float> phase(work.memory, mesh.vertices());
+    work.for_chunks(mesh.vertices(), triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t v = begin; v < end; ++v) phase[v] = std::arg(waves.level[waves.finest()][v]);
+    });
     const std::int64_t edges = mesh.corner.size();
     base::resize_long(found.first, edges + 1, work);
     const auto for_edges = [&](const auto& visit) {
@@ -92,7 +98,7 @@ Crossings cross_edges(const base::Work& work, const curves::SurfaceMesh& mesh, c
         });
     };
     for_edges([&](std::int64_t edge, std::int32_t a, std::int32_t b) {
-        visit_crests(waves, halvings, a, b, [&](const Crossing&, std::int64_t) { ++found.first[edge + 1]; });
+        visit_crests(waves, phase, halvings, a, b, [&](const Crossing&, std::int64_t) { ++found.first[edge + 1]; });
     });
     for (const std::int64_t edge : work.over(edges)) {
         found.first[edge + 1] += found.first[edge];
@@ -101,7 +107,7 @@ Crossings cross_edges(const base::Work& work, const curves::SurfaceMesh& mesh, c
     base::fill_long(found.link, 2 * found.first[edges], std::int64_t{-1}, work);
     for_edges([&](std::int64_t edge, std::int32_t a, std::int32_t b) {
         std::int64_t at = found.first[edge];
-        visit_crests(waves, halvings, a, b, [&](Crossing c, std::int64_t line) {
+        visit_crests(waves, phase, halvings, a, b, [&](Crossing c, std::int64_t line) {
             c.level = level_of(waves, halvings, c, line);
             found.crossing[at++] = c;
         });

@@ -26,6 +26,11 @@ struct HatchingTuning {
     // Each sample is linked to this many of its nearest samples, if they are within `farthest_link` spacings.
     std::int64_t neighbours = 8;
     double farthest_link = 3.0;
+    // A part of the samples is never smaller than this, where there are as many. Larger: more time.
+    std::int64_t fewest_coarse = 1024;
+    // Numbers that only a part of the samples has are filled in by this many rounds of means. Each round reaches the
+    // neighbours, so this must be at least the largest ratio of two spacings. Larger: more time.
+    int fill_rounds = 12;
     // Two places are on different sheets if the cosine of their normals is at most this. Larger: thin walls are kept
     // apart better, but sharp bends are split.
     double same_sheet_cosine = 0.3;
@@ -51,12 +56,16 @@ struct HatchingTuning {
     // The weight of a named guide. A curvature of full confidence has the weight 1. Larger: neighbours and the axis
     // change the direction of the guide less.
     double guide_strength = 4.0;
+    // The spacing of the samples whose lines are solved for, in smoothing lengths. Larger: less time, less exact.
+    double field_spacing = 0.25;
     // The strength of the term that pulls the complex numbers of lines to unit magnitude. Larger: singular points move
     // less.
     double pull_to_unit = 0.2;
 
     // ---- Waves
 
+    // The spacing of the samples on which the first wave is found, in periods. Larger: less time, less exact.
+    double first_spacing = 0.16;
     // The shift of the inverse iteration for the first wave, and the number of steps of the iteration. The shift is
     // added to the diagonal of the matrix, where each node has the number of its neighbours. A smaller shift or more
     // steps give a better eigenvector and take more time.
@@ -68,15 +77,26 @@ struct HatchingTuning {
     // The numbers of rounds of plain means after a wave is halved: on samples, and on vertices of the mesh. The means
     // create forks. Larger: lines are more even, and have more forks.
     int sample_means = 100;
-    int vertex_means = 20;
-    // After the plain means, waves are averaged and scaled to unit magnitude in this many rounds. Larger: fewer bends
-    // at forks.
+    int vertex_means = 9;
+    // A power of the means is computed from as many terms as this many standard deviations of a random walk have steps.
+    // Larger: more exact, more time. With 3, the terms that are left out have 0.3 % of the weight.
+    double walk_deviations = 3.0;
+    // After the plain means, waves are averaged and scaled to unit magnitude in this many rounds: on samples, and on
+    // vertices. Larger: fewer bends at forks.
     int unit_averages = 20;
+    int vertex_averages = 9;
     // A vertex of the mesh takes its waves from the samples within this many spacings. Larger: smoother waves.
     double sample_reach = 2.0;
 
     // ---- The mesh
 
+    // The side of a cell, in separations, and the shortest period of a wave on the vertices, in sides. Larger sides:
+    // less time, and more ends of lines and kinks.
+    double mesh_side = 1.5;
+    double finest_on_mesh = 0.65;
+    // The largest distance of vertices from the surface, in separations. Larger: fewer evaluations. Marks are projected
+    // later, so only their way along the surface changes.
+    double vertex_tolerance = 0.01;
     // The area of the surface divided by the area of a cell's face is at most this. A cell has about twelve triangles.
     // Larger: finer lines are possible, with more memory.
     double most_cells = 1e5;
