@@ -341,67 +341,135 @@ struct Neighbour {
 // direction.
 using LineNeighbours = base::Array<std::array<Neighbour, 2>>;
 
-// Finds the neighbours of each point: on each side, the nearest place where the plane perpendicular to its line meets
+// Finds the neighbours of points: on each side, the nearest place where the plane perpendicular to the line meets
 // another line, or a distant part of the same line.
-void find_neighbours(const base::Work& work, const Lines& lines, const geometry::VecArray& across, double separation,
-                     LineNeighbours& neighbours) {
-    const double step = hatching_tuning.even_step;
-    const geometry::PointGrid grid(lines.position, (hatching_tuning.neighbour_reach + step) * separation, work);
-    const geometry::VecArray places = grid.in_order(lines.position, work);
-    base::Array<std::int32_t> next(work.memory); // for each point: the next point of its line, or -1 at the end
-    base::resize_long(next, lines.position.size(), work);
-    for_lines(work, lines, [&](const LineRange& line) {
-        for (std::int64_t i = line.begin; i < line.end; ++i) next[i] = static_cast<std::int32_t>(line.after(i));
-    });
+class NeighbourSearch {
+public:
+    NeighbourSearch(const base::Work& work, const Lines& lines, const geometry::VecArray& across, double separation)
+        : lines_(lines), across_(across), separation_(separation), next_(work.memory), last_(work.memory) {
+        base::resize_long(next_, lines.position.size(), work);
+        base::resize_long(last_, lines.position.size(), work);
+        for_lines(work, lines, [&](const LineRange& line) {
+            for (std::int64_t i = line.begin; i < line.end; ++i) {
+                next_[i] = static_cast<std::int32_t>(line.after(i));
+                last_[i] = static_cast<std::int32_t>(line.before(i));
+            }
+        });
+    }
+
+    // Finds all neighbours. Searches at every `searched_points`-th point of a line and at its end, and follows the
+    // neighbouring lines from there to both sides.
+    void find(const base::Work& work, LineNeighbours& neighbours) const {
+        const geometry::PointGrid grid(lines_.position, reach(), work);
+        const geometry::VecArray places = grid.in_order(lines_.position, work);
+        for_lines(work, lines_, [&](const LineRange& line) {
+            const auto is_searched = [&](std::int64_t i) {
+                return (i - line.begin) % hatching_tuning.searched_points == 0 || i + 1 == line.end;
+            };
+            for (std::int64_t i = line.begin; i < line.end; ++i) {
+                work.check();
+                if (is_searched(i)) neighbours[i] = search(line, i, grid, places);
+            }
+            for (std::int64_t i = line.begin; i < line.end; ++i)
+                if (!is_searched(i)) neighbours[i] = follow(line, i, neighbours[i - 1], no_neighbours());
+            for (std::int64_t i = line.end - 1; i >= line.begin; --i)
+                if (!is_searched(i)) neighbours[i] = follow(line, i, neighbours[i + 1], neighbours[i]);
+        });
+    }
+    // Finds the neighbours again, after points have moved a little.
+    void find_again(const base::Work& work, LineNeighbours& neighbours) const {
+        for_lines(work, lines_, [&](const LineRange& line) {
+            for (std::int64_t i = line.begin; i < line.end; ++i)
+                neighbours[i] = follow(line, i, neighbours[i], no_neighbours());
+        });
+    }
+
+private:
+    using Pair = std::array<Neighbour, 2>;
+
+    [[nodiscard]] double reach() const noexcept {
+        return (hatching_tuning.neighbour_reach + hatching_tuning.even_step) * separation_;
+    }
+    [[nodiscard]] static Pair no_neighbours() noexcept {
+        Pair none{};
+        for (Neighbour& side : none) side.gap = static_cast<float>(hatching_tuning.neighbour_reach);
+        return none;
+    }
     // Two points of the same line are neighbours only where the line winds around.
-    const auto is_apart = [&](const LineRange& line, std::int64_t i, std::int64_t j) {
+    [[nodiscard]] static bool is_apart(const LineRange& line, std::int64_t i, std::int64_t j) noexcept {
         if (j < line.begin || j >= line.end) return true;
         const std::int64_t way = std::abs(i - j);
         const std::int64_t shortest = line.closed ? std::min(way, line.end - line.begin - way) : way;
-        return static_cast<double>(shortest) * step >= hatching_tuning.least_way_around;
-    };
-    const auto look_around = [&](const LineRange& line, std::int64_t i) {
-        const glm::dvec3 p = lines.position[i];
-        const glm::dvec3 n = lines.normal[i];
-        const glm::dvec3 aside = across[i];
-        const glm::dvec3 along = glm::cross(aside, n);
-        std::array<Neighbour, 2> found{};
-        for (Neighbour& side : found) side.gap = static_cast<float>(hatching_tuning.neighbour_reach);
+        return static_cast<double>(shortest) * hatching_tuning.even_step >= hatching_tuning.least_way_around;
+    }
+    [[nodiscard]] glm::dvec3 along(std::int64_t i) const noexcept { return glm::cross(across_[i], lines_.normal[i]); }
+    // Sets a neighbour of point i if the leg from point j to the next point is a nearer one. The two points must be on
+    // different sides of the plane at point i; `from` and `to` are their distances from this plane.
+    void look_at(const LineRange& line, std::int64_t i, std::int64_t j, double from, double to, Pair& found) const {
+        if (!is_apart(line, i, j)) return;
+        const glm::dvec3 p = lines_.position[i];
+        const glm::dvec3 n = lines_.normal[i];
+        const glm::dvec3 aside = across_[i];
+        const double turned = glm::dot(across_[j], aside);
+        if (!(glm::dot(n, lines_.normal[j]) > hatching_tuning.same_sheet_cosine) ||
+            !(std::abs(turned) > hatching_tuning.parallel_cosine))
+            return;
+        const double share = from / (from - to);
+        const glm::dvec3 there = glm::mix(lines_.position[j] - p, lines_.position[next_[j]] - p, share);
+        const double offset = glm::dot(there, aside);
+        const double height = glm::dot(there, n);
+        if (std::abs(height) >
+            hatching_tuning.steepest_offset * std::abs(offset) + hatching_tuning.thickness * separation_)
+            return;
+        Neighbour& best = found[offset > 0.0 ? 1 : 0];
+        const auto gap = static_cast<float>(std::abs(offset) / separation_);
+        if (gap < best.gap)
+            best = {static_cast<std::int32_t>(j), next_[j], static_cast<float>(share), gap,
+                    turned > 0.0 ? 1.0F : -1.0F};
+    }
+    [[nodiscard]] Pair search(const LineRange& line, std::int64_t i, const geometry::PointGrid& grid,
+                              const geometry::VecArray& places) const {
+        const glm::dvec3 p = lines_.position[i];
+        const glm::dvec3 way = along(i);
+        const double farthest = 2.0 * hatching_tuning.even_step * separation_;
+        Pair found = no_neighbours();
         grid.around(p, [&](std::int64_t at) {
-            const glm::dvec3 way = places[at] - p;
-            const double from = glm::dot(way, along);
-            if (std::abs(from) > 2.0 * step * separation) return;
+            const double from = glm::dot(places[at] - p, way);
+            if (std::abs(from) > farthest) return;
             const std::int64_t j = grid.index(at);
-            if (next[j] < 0) return;
-            const glm::dvec3 next_way = lines.position[next[j]] - p;
-            const double to = glm::dot(next_way, along);
-            if ((from > 0.0) == (to > 0.0) || !is_apart(line, i, j)) return;
-            const double turned = glm::dot(across[j], aside);
-            if (!(glm::dot(n, lines.normal[j]) > hatching_tuning.same_sheet_cosine) ||
-                !(std::abs(turned) > hatching_tuning.parallel_cosine))
-                return;
-            const double share = from / (from - to);
-            const glm::dvec3 there = glm::mix(way, next_way, share);
-            const double offset = glm::dot(there, aside);
-            const double height = glm::dot(there, n);
-            if (std::abs(height) >
-                hatching_tuning.steepest_offset * std::abs(offset) + hatching_tuning.thickness * separation)
-                return;
-            Neighbour& best = found[offset > 0.0 ? 1 : 0];
-            const auto gap = static_cast<float>(std::abs(offset) / separation);
-            if (gap < best.gap)
-                best = {static_cast<std::int32_t>(j), next[j], static_cast<float>(share), gap,
-                        turned > 0.0 ? 1.0F : -1.0F};
+            if (next_[j] < 0) return;
+            const double to = glm::dot(lines_.position[next_[j]] - p, way);
+            if ((from > 0.0) != (to > 0.0)) look_at(line, i, j, from, to, found);
         });
-        neighbours[i] = found;
-    };
-    for_lines(work, lines, [&](const LineRange& line) {
-        for (std::int64_t i = line.begin; i < line.end; ++i) {
-            work.check();
-            look_around(line, i);
+        return found;
+    }
+    // Returns the neighbours of point i: the nearest of those given in `found`, and of those on the lines that are
+    // `known` as neighbours of a place near point i.
+    [[nodiscard]] Pair follow(const LineRange& line, std::int64_t i, const Pair& known, Pair found) const {
+        const glm::dvec3 p = lines_.position[i];
+        const glm::dvec3 way = along(i);
+        for (const Neighbour& side : known) {
+            if (side.from < 0) continue;
+            std::int64_t j = side.from;
+            for (int step = 0; step < hatching_tuning.followed_points && j >= 0 && next_[j] >= 0; ++step) {
+                const double from = glm::dot(lines_.position[j] - p, way);
+                const double to = glm::dot(lines_.position[next_[j]] - p, way);
+                if ((from > 0.0) != (to > 0.0)) {
+                    look_at(line, i, j, from, to, found);
+                    break;
+                }
+                // Both points are before the plane, or both are beyond it.
+                j = (from > 0.0) == (from < to) ? last_[j] : next_[j];
+            }
         }
-    });
-}
+        return found;
+    }
+
+    const Lines& lines_;
+    const geometry::VecArray& across_;
+    double separation_;
+    base::Array<std::int32_t> next_, last_; // for each point: the next and the previous point of its line, or -1
+};
 
 // ---- Moves
 
@@ -733,9 +801,13 @@ Lines even_out(const base::Work& work, const Lines& given, double separation) {
     geometry::resize_long(across, lines.position.size(), work);
     LineNeighbours neighbours(work.memory);
     base::resize_long(neighbours, lines.position.size(), work);
+    const NeighbourSearch search(work, lines, across, separation);
     for (int round = 0; round < hatching_tuning.rounds; ++round) {
         for_lines(work, lines, [&](const LineRange& line) { set_across(lines, line, across); });
-        find_neighbours(work, lines, across, separation, neighbours);
+        if (round == 0)
+            search.find(work, neighbours);
+        else
+            search.find_again(work, neighbours);
         const base::Array<float> move = even_moves(work, lines, neighbours);
         for_lines(work, lines, [&](const LineRange& line) {
             for (std::int64_t i = line.begin; i < line.end; ++i)

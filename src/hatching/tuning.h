@@ -126,6 +126,11 @@ struct HatchingTuning {
     // Neighbouring lines are searched for up to this distance across a line. Larger: lines with more space beside them
     // move, too.
     double neighbour_reach = 1.75;
+    // Neighbours are searched for at every `searched_points`-th point of a line, and followed along their lines
+    // in between, by at most `followed_points` points at a time. Larger searched_points: less time; short lines may be
+    // missed.
+    std::int64_t searched_points = 4;
+    int followed_points = 4;
     // If a line winds around, it can be its own neighbour: at points whose distance along it is at least this.
     double least_way_around = 5.0;
     // Two lines are neighbours only if the cosine between their directions is larger than this.
