@@ -6,9 +6,12 @@
 #include "implicit/cube_loops.h"
 #include "implicit/cube_shift.h"
 #include "implicit/cube_vectors.h"
+#include "implicit/mirrored_basis.h"
+#include "implicit/mirrored_sums.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace hrbfnpr::implicit {
 namespace {
@@ -61,6 +64,7 @@ class LocalField::Builder {
 public:
     Builder(const base::Runtime& runtime, LocalField& field, const LocalFieldOptions& options)
         : runtime_(runtime), field_(field), tree_(field.sources_.tree()), loops_(cube_loops(runtime.instruction_set)),
+          add_sums_(mirrored_sums(runtime.instruction_set)),
           translates_(tree_.points().size() >= options.worth_translations),
           most_near_(options.most_near > 0 ? options.most_near : most_near(tree_.points().size())),
           candidate_begin_(runtime.memory), candidates_(runtime.memory), kind_(runtime.memory),
@@ -77,14 +81,11 @@ public:
             end_ = field_.cells_.size();
             classify(progress);
             if (SourceTree::has_expansions(level)) {
-                const int stride = field_.sources_.basis(level).stride();
-                incoming_.clear();
-                base::resize_long(incoming_,
-                                  (end_ - begin_) * stride + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max)),
-                                  progress);
-                if (translates_) translate(level, progress);
-                add_direct_nodes(level, progress);
-                make_terms(level, progress);
+                place_terms(level, progress);
+                if (translates_)
+                    make_terms_by_nodes(level, progress);
+                else
+                    make_terms(level, progress);
                 if (SourceTree::has_expansions(level - 1)) pass_down(level, progress);
             }
             divide(level, progress);
@@ -107,8 +108,9 @@ private:
 
     [[nodiscard]] Kind kind_of(const Cell& cell, const geometry::Octree::Node& node) const noexcept {
         if (too_near(cell, node)) return near;
+        if (!translates_ || node.leaf()) return direct;
         const double few = worth_a_node * field_.sources_.basis(cell.level).size();
-        return !translates_ || node.leaf() || static_cast<double>(node.count()) < few ? direct : translated;
+        return static_cast<double>(node.count()) < few ? direct : translated;
     }
 
     void classify(const base::Progress& progress) {
@@ -122,7 +124,7 @@ private:
 
     // Adds the polynomials of the level above to the polynomials of its children.
     void pass_down(std::int32_t level, const base::Progress& progress) {
-        const CubeShift shift(field_.sources_.basis(level - 1).degree(), field_.sources_.basis(level).degree());
+        const CubeShift shift(field_.sources_.degree(level - 1), field_.sources_.degree(level));
         runtime_.parallel.for_chunks(
             begin_ - above_begin_, cells_a_task, progress, [&](std::int64_t first, std::int64_t last) {
                 base::OwnedObject<CubeShift::Work> work(runtime_.memory);
@@ -297,13 +299,70 @@ private:
         cell.near_end = field_.near_.size();
     }
 
-    // Computes the polynomials of the level's cells from the values in incoming_.
-    void make_terms(std::int32_t level, const base::Progress& progress) {
-        const CubeBasis& basis = field_.sources_.basis(level);
+    void place_terms(std::int32_t level, const base::Progress& progress) {
+        const std::int64_t stride = CubeBasis::padded(CubeBasis::terms(field_.sources_.degree(level)));
         std::int64_t size = field_.terms_.size();
-        for (std::int64_t cell = begin_; cell < end_; ++cell, size += basis.term_stride())
-            field_.cells_[cell].terms = size;
+        for (std::int64_t cell = begin_; cell < end_; ++cell, size += stride) field_.cells_[cell].terms = size;
         base::resize_long(field_.terms_, size, progress);
+    }
+
+    // Makes the polynomials of the level's cells from the sums over far centres.
+    void make_terms(std::int32_t level, const base::Progress& progress) {
+        if (basis_ == nullptr || basis_->degree() != field_.sources_.degree(level))
+            basis_ = std::make_unique<MirroredBasis>(base::Work(runtime_, progress), field_.sources_.degree(level));
+        runtime_.parallel.for_chunks(end_ - begin_, cube_batch, progress, [&](std::int64_t first, std::int64_t last) {
+            base::OwnedObject<MirroredSources> sources(runtime_.memory);
+            base::Array<double> values(runtime_.memory, basis_->size());
+            MirroredBasis::Batch batch(runtime_.memory, *basis_);
+            const double half = tree_.half_width(level);
+            for (std::int64_t k = first; k < last; ++k) {
+                std::fill(values.begin(), values.end(), 0.0);
+                add_far_centres(k, *sources, values.data(), progress);
+                batch.add(values.data(), half * half * half,
+                          field_.terms_.data() + field_.cells_[begin_ + k].terms);
+            }
+            batch.flush(loops_);
+        });
+    }
+
+    // Adds the sums over the centres that act on cell k directly.
+    void add_far_centres(std::int64_t k, MirroredSources& sources, double* values,
+                         const base::Progress& progress) const {
+        const Cell& cell = field_.cells_[begin_ + k];
+        const glm::dvec3 centre = field_.centre(cell);
+        const double middle[3] = {centre.x, centre.y, centre.z};
+        const geometry::VecArray& nodes = basis_->nodes();
+        const auto add = [&] {
+            progress.check();
+            add_sums_({nodes.x.data(), nodes.y.data(), nodes.z.data(), nodes.size()}, sources, values);
+            sources.count = 0;
+        };
+        const Sources all = field_.sources_.sources(0, tree_.points().size());
+        for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1]; ++i) {
+            if (kind_[i] != direct) continue;
+            const geometry::Octree::Node& node = tree_.nodes()[candidates_[i]];
+            for (std::int64_t at = node.begin; at < node.end; ++at) {
+                if (sources.count == MirroredSources::most) add();
+                sources.add(all, at, middle, tree_.half_width(cell.level));
+            }
+        }
+        add();
+    }
+
+    // Makes the polynomials of the level's cells by way of values at the nodes of CubeBasis.
+    void make_terms_by_nodes(std::int32_t level, const base::Progress& progress) {
+        const CubeBasis& basis = field_.sources_.basis(level);
+        incoming_.clear();
+        base::resize_long(incoming_,
+                          (end_ - begin_) * basis.stride() + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max)),
+                          progress);
+        translate(level, progress);
+        add_direct_nodes(level, progress);
+        interpolate(basis, progress);
+    }
+
+    // Computes the polynomials of the level's cells from the values in incoming_.
+    void interpolate(const CubeBasis& basis, const base::Progress& progress) {
         runtime_.parallel.for_chunks(end_ - begin_, 64, progress, [&](std::int64_t first, std::int64_t last) {
             base::Array<double> nobody(runtime_.memory, basis.term_stride());
             CubeVectors batch(runtime_.memory, basis.size());
@@ -323,8 +382,10 @@ private:
     LocalField& field_;
     const geometry::Octree& tree_;
     CubeLoops loops_;
+    AddMirroredSums add_sums_;
     bool translates_;
     std::int64_t most_near_;
+    std::unique_ptr<MirroredBasis> basis_;      // of the level, unless cells are translated
     std::int64_t above_begin_ = 0;              // index of the first cell of the level above
     std::int64_t begin_ = 0;                    // index of the first cell of this level
     std::int64_t end_ = 0;                      // end of this level
@@ -338,7 +399,8 @@ LocalField::LocalField(const base::Work& work, const geometry::VecArray& centres
                        const geometry::VecArray& beta, const LocalFieldOptions& options)
     : set_(work.instruction_set), sources_(work, centres,
                                            {options.spacing, options.finer, sources_in_leaf,
-                                            tolerance_of(options, root_mean_square(alpha, beta)), separation, margin}),
+                                            tolerance_of(options, root_mean_square(alpha, beta)), separation, margin,
+                                            centres.size() >= options.worth_translations}),
       cells_(work.memory), near_(work.memory), terms_(work.memory) {
     sources_.load(alpha, beta, work);
     Builder(work, *this, options).run(work);
@@ -383,7 +445,7 @@ void LocalField::add(std::int32_t cube, const Targets& t) const noexcept {
         add_sums(0.0, sources_.sources(near_[k].begin, near_[k].end), t);
     if (cell.terms < 0) return;
     double* const gradient[3] = {t.gradient_x, t.gradient_y, t.gradient_z};
-    cube_loops(set_).evaluate(sources_.basis(cell.level).degree(), terms_.data() + cell.terms,
+    cube_loops(set_).evaluate(sources_.degree(cell.level), terms_.data() + cell.terms,
                               samples(cell, t.x, t.y, t.z, t.count), t.value, gradient);
 }
 
@@ -393,7 +455,7 @@ void LocalField::add_jets(std::int32_t cube, const JetTargets& t) const noexcept
                               cell.near_end - cell.near_begin, t);
     if (cell.terms < 0) return;
     const CubeLoops loops = cube_loops(set_);
-    const int degree = sources_.basis(cell.level).degree();
+    const int degree = sources_.degree(cell.level);
     const CubeSamples at = samples(cell, t.x, t.y, t.z, t.count);
     loops.evaluate(degree, terms_.data() + cell.terms, at, t.value, t.gradient);
     loops.hessian(degree, terms_.data() + cell.terms, at, t.hessian);

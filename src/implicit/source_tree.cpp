@@ -5,6 +5,7 @@
 
 #include "implicit/cube_loops.h"
 #include "implicit/cube_vectors.h"
+#include "implicit/mirrored_basis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,9 @@ SourceTree::SourceTree(const base::Work& work, const geometry::VecArray& centres
     std::int64_t size = 0;
     for (std::int32_t level = 0; level < tree_.levels(); ++level) {
         const int degree = degree_of(level, options);
-        levels_.push_back({find_basis(degree, work), nullptr, size});
+        levels_.push_back({degree, nullptr, nullptr, size});
+        if (!options.expands) continue;
+        levels_.back().basis = find_basis(degree, work);
         size += levels_.back().basis->stride() * (tree_.level_end(level) - tree_.level_begin(level));
     }
     vectors_size_ = size + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max));
@@ -80,12 +83,14 @@ int SourceTree::degree_of(std::int32_t level, const SourceTreeOptions& options) 
     const double degree = options.separation == 1
                               ? std::ceil(degree_for_fits(width, all, options.tolerance))
                               : 2.0 * std::ceil(0.5 * degree_for_gradients(width, options.tolerance));
-    return std::clamp(static_cast<int>(degree) + 2 * options.finer, 4, CubeBasis::degree_max);
+    const int even = std::clamp(static_cast<int>(degree) + 2 * options.finer, 4, CubeBasis::degree_max);
+    static_assert(MirroredBasis::degree_max == CubeBasis::degree_max - 1);
+    return options.expands ? even : even - 1; // MirroredBasis is as accurate with a degree that is lower by 1
 }
 
 std::shared_ptr<CubeBasis> SourceTree::find_basis(int degree, const base::Progress& progress) const {
     for (const Level& level : levels_)
-        if (level.basis->degree() == degree) return level.basis;
+        if (level.basis != nullptr && level.degree == degree) return level.basis;
     return std::make_shared<CubeBasis>(base::Work(runtime_, progress), degree);
 }
 
@@ -226,7 +231,7 @@ void SourceTree::forget_expansions() noexcept {
     outgoing_.release();
     for (Level& level : levels_) {
         level.transfers.reset();
-        level.basis->forget_matrices();
+        if (level.basis != nullptr) level.basis->forget_matrices();
     }
 }
 
