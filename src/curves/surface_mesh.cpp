@@ -250,7 +250,8 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
                                                 {0xCC, {0, 1, 0}},
                                                 {0x0F, {0, 0, -1}},
                                                 {0xF0, {0, 0, 1}}}};
-    constexpr std::int64_t block_side = 8; // the side of a block, in cells
+    HRBFNPR_ASSERT(settings.block_side > 0);
+    const std::int64_t block_side = settings.block_side;
     const auto sum = [](const Cell& a, const Cell& b) { return Cell{a[0] + b[0], a[1] + b[1], a[2] + b[2]}; };
     const std::int64_t limit = std::min(settings.triangle_limit, most_surface_triangles);
 

@@ -21,7 +21,8 @@ struct MeshSettings {
     // The mesh may end where the domain says that no surface is near. It continues for at least a few cells beyond the
     // end of the surface.
     const implicit::Domain* domain = nullptr;
-    double tolerance = 1e-9; // the largest distance of vertices from the surface, in diagonals
+    std::int64_t block_side = 8; // The domain is asked about blocks of cells. This is the side of a block, in cells.
+    double tolerance = 1e-9;     // the largest distance of vertices from the surface, in diagonals
 };
 
 // An oriented triangle mesh of the surface. It is closed, except where the region ends.

@@ -232,7 +232,8 @@ double place_hatching(const GenerateInput& input, GrowingLayer& layer, std::opti
     settings.layer = layer.place;
     settings.budget = layer.settings.budget;
     settings.field.diagonal = site.implicit.diagonal();
-    if (!last || !settings.shares_field_with(last->settings()))
+    const bool is_covered = last && (last->is_whole() || site.need != nullptr);
+    if (!is_covered || !settings.shares_field_with(last->settings()))
         last.emplace(site.part(0.1, 0.6),
                      stipples::cover_surface(site.part(0.0, 0.1), input.seeds, input.samples.spacing,
                                              hatching::hatching_tuning.most_samples),
@@ -335,7 +336,7 @@ void require_marks(base::List<GrowingLayer>& growing, marks::PointSet& set) {
     marks::LevelReport all;
     bool lengths_given = false;
     for (const GrowingLayer& layer : growing) {
-        if (layer.marks.count() > 0) return;
+        if (layer.marks.whole_count() > 0) return;
         const hatching::Settings& hatching = layer.settings.hatching;
         lengths_given = lengths_given || hatching.separation > 0.0 || hatching.step > 0.0;
         for (const marks::LevelReport& level : set.layers[layer.place].report.level) {

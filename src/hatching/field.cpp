@@ -455,7 +455,8 @@ void interpolate(const Waves& samples, base::Array<WeightedSample>& nearby, cons
 }
 
 Waves interpolated(const base::Work& work, const SampleGraph& graph, const Waves& samples,
-                   const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets) {
+                   const base::Array<std::uint8_t>& needed, const curves::SurfaceMesh& mesh,
+                   const base::Array<std::int32_t>& sheets) {
     Waves result(work.memory, mesh.position, samples.period);
     for (std::int64_t level = 0; level < samples.level.size(); ++level) result.level.add(work.memory, mesh.vertices());
     const double radius = hatching_tuning.sample_reach * graph.spacing;
@@ -467,6 +468,7 @@ Waves interpolated(const base::Work& work, const SampleGraph& graph, const Waves
             const glm::dvec3 p = mesh.position[v];
             const glm::dvec3 n = glm::normalize(mesh.gradient[v]);
             nearby.clear();
+            bool is_needed = needed.empty();
             grid.around(p, [&](std::int64_t at) {
                 const glm::dvec3 way = p - places[at];
                 const double squared = glm::dot(way, way);
@@ -478,25 +480,33 @@ Waves interpolated(const base::Work& work, const SampleGraph& graph, const Waves
                 const double height = glm::dot(way, n);
                 if (height * height > hatching_tuning.steepest_offset * hatching_tuning.steepest_offset * squared)
                     return;
+                is_needed = is_needed || needed[i] != 0;
                 const double rest = 1.0 - squared / (radius * radius);
                 nearby.push_back({i, static_cast<float>(rest * rest)});
             });
-            interpolate(samples, nearby, n, v, result);
+            if (is_needed) interpolate(samples, nearby, n, v, result);
         }
     });
     return result;
 }
 
-// Makes the graph of the edges of a mesh. The two ends of an inner edge are neighbours of each other. A border edge is
-// listed once in the mesh, so only its start has its end as a neighbour.
-Graph graph_of(base::Memory& memory, const curves::SurfaceMesh& mesh) {
+// Makes the graph of those edges of a mesh whose ends have lines. The two ends of an inner edge are neighbours of each
+// other. A border edge is listed once in the mesh, so only its start has its end as a neighbour.
+Graph graph_of(base::Memory& memory, const curves::SurfaceMesh& mesh, const Waves& waves) {
+    base::Array<std::uint8_t> has_line(memory, mesh.vertices());
+    for (std::int64_t v = 0; v < mesh.vertices(); ++v) has_line[v] = waves.has_line(v) ? 1 : 0;
+    const auto end_of = [&](std::int64_t edge) { return mesh.corner[edge - edge % 3 + (edge % 3 + 1) % 3]; };
+    const auto is_link = [&](std::int64_t edge) {
+        return has_line[mesh.corner[edge]] != 0 && has_line[end_of(edge)] != 0;
+    };
     Graph graph(memory);
     graph.first.resize(mesh.vertices() + 1);
-    graph.neighbour.resize(mesh.corner.size());
-    for (const std::int32_t v : mesh.corner) ++graph.first[v];
+    for (std::int64_t edge = 0; edge < mesh.corner.size(); ++edge)
+        if (is_link(edge)) ++graph.first[mesh.corner[edge]];
     std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
+    graph.neighbour.resize(graph.first[mesh.vertices()]);
     for (std::int64_t edge = mesh.corner.size() - 1; edge >= 0; --edge)
-        graph.neighbour[--graph.first[mesh.corner[edge]]] = mesh.corner[edge - edge % 3 + (edge % 3 + 1) % 3];
+        if (is_link(edge)) graph.neighbour[--graph.first[mesh.corner[edge]]] = end_of(edge);
     return graph;
 }
 
@@ -576,15 +586,16 @@ void add_sample_waves(const base::Work& work, const SampleGraph& graph, std::uin
 }
 
 Waves waves_at_vertices(const base::Work& work, const SampleGraph& graph, const Waves& samples,
-                        const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets, int levels) {
+                        const base::Array<std::uint8_t>& needed, const curves::SurfaceMesh& mesh,
+                        const base::Array<std::int32_t>& sheets, int levels) {
     HRBFNPR_ASSERT(!samples.level.empty());
     HRBFNPR_ASSERT(sheets.empty() || (sheets.size() == mesh.vertices() && graph.sheet.size() == graph.nodes()));
-    Waves waves = interpolated(work.part(0.0, 0.5), graph, samples, mesh, sheets);
+    Waves waves = interpolated(work.part(0.0, 0.5), graph, samples, needed, mesh, sheets);
     const auto is_next_known = [&] {
         return waves.period_of(waves.finest() + 1) >= hatching_tuning.finest_on_mesh * mesh.side;
     };
     if (waves.finest() >= levels || !is_next_known()) return waves;
-    const Graph edges = graph_of(work.memory, mesh);
+    const Graph edges = graph_of(work.memory, mesh, waves);
     Links links = wave_links(work, edges, waves, waves.period_of(waves.finest()));
     while (waves.finest() < levels && is_next_known()) {
         links.halve_period(work);

@@ -140,9 +140,10 @@ void add_sample_waves(const base::Work& work, const SampleGraph& graph, std::uin
 
 // Interpolates the waves to the vertices of a mesh and adds finer waves, until there are `levels` waves, or fewer if
 // the mesh can represent only fewer. `sheets` has the implicit's sheet at each vertex. It is empty if the samples have
-// no sheets.
+// no sheets. If `needed` is not empty, it has a number for each sample, and vertices without a sample near them whose
+// number is not 0 get neither a line nor waves.
 [[nodiscard]] Waves waves_at_vertices(const base::Work& work, const SampleGraph& graph, const Waves& samples,
-                                      const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets,
-                                      int levels);
+                                      const base::Array<std::uint8_t>& needed, const curves::SurfaceMesh& mesh,
+                                      const base::Array<std::int32_t>& sheets, int levels);
 
 } // namespace hrbfnpr::hatching

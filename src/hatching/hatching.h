@@ -36,14 +36,18 @@ public:
     HatchingField(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings);
 
     [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
+    // Returns whether lines can be placed on all of the surface, not only where the site's `need` may show them.
+    [[nodiscard]] bool is_whole() const noexcept { return is_whole_; }
     [[nodiscard]] double area() const noexcept { return area_; } // the area of the surface that the lines are laid on
-    // Appends marks, line after line. Coarse levels come first.
+    // Appends marks, line after line. Coarse levels come first. If the site has a `need`, lines are placed only where
+    // it may show them, and end a few separations beyond.
     void place_lines(const marks::Site& site, const Settings& settings, marks::Marks& marks,
                      marks::LayerReport& report) const;
 
 private:
     Settings settings_;
     geometry::Bounds region_;
+    bool is_whole_;
     double area_ = 0.0;
     SampleGraph graph_;
     base::Array<double> angle_; // for each sample: the angle of the field's line in its frame, in radians

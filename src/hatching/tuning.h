@@ -101,6 +101,15 @@ struct HatchingTuning {
     // Larger: finer lines are possible, with more memory.
     double most_cells = 1e5;
 
+    // ---- A still picture
+
+    // Lines end about this many separations beyond the places that a still picture may show. Smaller: less time, and
+    // lines near these ends lie elsewhere than in a set for all cameras.
+    double beyond_shown = 4.0;
+    // The mesh covers blocks of this many cells along each side that have a needed place near them. Larger: fewer
+    // tests, and more cells that are not needed.
+    std::int64_t needed_block = 2;
+
     // ---- Ends that are joined
 
     // Ends are joined over gaps of at most this, in separations. The lengths below are shares of this gap. Larger:
