@@ -86,6 +86,53 @@ void resize_off_surface(Samples& off_surface, std::int64_t count) {
     off_surface.value.resize(count);
 }
 
+void add_off_surface(const Samples& added, Samples& off_surface) {
+    for (std::int64_t i = 0; i < added.position.size(); ++i) {
+        off_surface.position.push_back(added.position[i]);
+        off_surface.normal.push_back(added.normal[i]);
+        off_surface.value.push_back(added.value[i]);
+    }
+}
+
+// Returns the centres of both lists, each once, in ascending order.
+base::Array<std::int64_t> joined(const base::Array<std::int64_t>& some, const base::Array<std::int64_t>& others) {
+    base::Array<std::int64_t> all(some.memory());
+    all.reserve(some.size() + others.size());
+    for (const base::Array<std::int64_t>* const part : {&some, &others})
+        for (const std::int64_t i : *part) all.push_back(i);
+    std::sort(all.begin(), all.end());
+    all.resize(std::unique(all.begin(), all.end()) - all.begin());
+    return all;
+}
+
+FitInput input_of_rounds(const FitInput& input, double residual) noexcept {
+    FitInput rough = input;
+    rough.automatic_tolerance = std::max(residual, input.automatic_tolerance);
+    return rough;
+}
+
+// Returns whether a fit of a round is as exact as the input asks for.
+bool solves_exactly(const FitInput& input, const FitInput& rough, const FitReport& report) noexcept {
+    return rough.automatic_tolerance == input.automatic_tolerance || input.solver_tolerance > 0.0 ||
+           report.solver == SolverKind::direct || report.solver_residual <= input.automatic_tolerance;
+}
+
+// Returns the index in the earlier fit of each centre of the next fit, or -1 for new centres. Both fits have the
+// centres that are candidates first, in ascending order, and then those off the surface.
+base::Array<std::int64_t> earlier_indices(const base::Array<std::int64_t>& before, std::int64_t off_before,
+                                          const base::Array<std::int64_t>& now, std::int64_t off_now) {
+    base::Array<std::int64_t> index(now.memory());
+    index.reserve(now.size() + off_now);
+    std::int64_t at = 0;
+    for (const std::int64_t centre : now) {
+        const bool known = at < before.size() && before[at] == centre;
+        index.push_back(known ? at++ : -1);
+    }
+    for (std::int64_t i = 0; i < off_now; ++i) index.push_back(i < off_before ? before.size() + i : -1);
+    HRBFNPR_ASSERT(at == before.size());
+    return index;
+}
+
 } // namespace
 
 // ---- The loop
@@ -95,46 +142,48 @@ AdaptiveFit fit_adaptively(const base::Work& work, const FitInput& input, const 
                            const AdaptiveSettings& settings, const CentreChooser& chooser) {
     HRBFNPR_ASSERT(!first.empty() && std::is_sorted(first.begin(), first.end()) && settings.most_rounds > 0);
     const base::Stopwatch watch;
+    const FitInput rough = input_of_rounds(input, settings.residual_of_rounds);
     const auto fit_round = [&](std::int32_t round, const base::Array<std::int64_t>& centres, const Samples& off_surface,
-                               const Smoothing& smooth) {
+                               const Smoothing& smooth, const EarlierFit& earlier) {
         // The number of rounds is unknown, so each round fills a quarter of the progress that remains.
         const base::Work part = work.part(1.0 - std::pow(0.75, round), 1.0 - std::pow(0.75, round + 1));
-        return fit_centres(part, input, centres_of(work, candidates, centres, off_surface), smooth);
+        return fit_centres(part, rough, centres_of(work, candidates, centres, off_surface), smooth, earlier);
     };
     Samples none(work.memory);
-    CentreFit first_fit = fit_round(0, first, none, smoothing);
+    Smoothing last = smoothing;
+    CentreFit first_fit = fit_round(0, first, none, last, {});
     AdaptiveFit now{std::move(first_fit), std::move(first), std::move(none), 1, watch.seconds(), 0.0};
     for (;;) {
         const NextCentres next = chooser(now);
-        if (!next.continues || now.rounds >= settings.most_rounds) return now;
+        if (!next.continues || now.rounds >= settings.most_rounds) break;
         const double before = watch.seconds();
-        base::Array<std::int64_t> centres(work.memory);
-        centres.reserve(now.centres.size() + next.centres.size());
-        for (const base::Array<std::int64_t>* const some : {&std::as_const(now.centres), &next.centres})
-            for (const std::int64_t i : *some) centres.push_back(i);
-        std::sort(centres.begin(), centres.end());
-        centres.resize(std::unique(centres.begin(), centres.end()) - centres.begin());
+        base::Array<std::int64_t> centres = joined(now.centres, next.centres);
         const std::int64_t off_surface = now.off_surface.position.size();
-        for (std::int64_t i = 0; i < next.off_surface.position.size(); ++i) {
-            now.off_surface.position.push_back(next.off_surface.position[i]);
-            now.off_surface.normal.push_back(next.off_surface.normal[i]);
-            now.off_surface.value.push_back(next.off_surface.value[i]);
-        }
+        add_off_surface(next.off_surface, now.off_surface);
         try {
-            now.fit = fit_round(now.rounds, centres, now.off_surface, next.smoothing);
+            const base::Array<std::int64_t> earlier =
+                earlier_indices(now.centres, off_surface, centres, now.off_surface.position.size());
+            now.fit = fit_round(now.rounds, centres, now.off_surface, next.smoothing, {&now.fit.result.data, &earlier});
         } catch (const Error& error) {
             if (!settings.keeps_last || !is_unsolvable(error)) throw;
             work.runtime().log(base::LogLevel::debug, "fit: with %lld centres: %s; going back to %lld centres",
                                static_cast<long long>(centres.size() + now.off_surface.position.size()), error.what(),
                                static_cast<long long>(now.centres.size() + off_surface));
             resize_off_surface(now.off_surface, off_surface);
-            return now;
+            break;
         }
         now.centres = std::move(centres);
+        last = next.smoothing;
         ++now.rounds;
         now.seconds_before = before;
         now.seconds_fit += watch.seconds() - before;
     }
+    if (solves_exactly(input, rough, now.fit.result.report)) return now;
+    const double before = watch.seconds();
+    now.fit = fit_centres(work.without_progress(), input, centres_of(work, candidates, now.centres, now.off_surface),
+                          last, {&now.fit.result.data, nullptr});
+    now.seconds_fit += watch.seconds() - before;
+    return now;
 }
 
 base::Array<std::int64_t> even_choice(const Samples& candidates, std::int64_t count, const base::Progress& progress) {

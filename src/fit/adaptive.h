@@ -43,6 +43,9 @@ using CentreChooser = std::function<NextCentres(const AdaptiveFit&)>;
 
 struct AdaptiveSettings {
     std::int32_t most_rounds = 0;
+    // The rounds solve their systems only to this relative residual, which is enough to choose centres. At the end the
+    // last system is solved as exactly as the input says. 0: all rounds solve exactly.
+    double residual_of_rounds = 0.0;
     // If a fit with more centres cannot be solved, the last fit is the result instead of an error. The first fit must
     // always be solvable.
     bool keeps_last = false;

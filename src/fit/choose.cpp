@@ -117,7 +117,7 @@ ChosenFit choose_and_fit(const base::Work& work, const FitInput& input, const Sa
         return next;
     };
     AdaptiveFit made = fit_adaptively(work, input, samples, std::move(centres), smoothing,
-                                      {choice_tuning.most_rounds, false}, std::ref(measure_and_choose));
+                                      {choice_tuning.most_rounds, 0.0, false}, std::ref(measure_and_choose));
     return {std::move(made.fit), std::move(made.centres), std::move(distances), keeps_all ? 0 : made.rounds,
             made.seconds_before};
 }

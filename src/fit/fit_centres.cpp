@@ -106,6 +106,25 @@ constexpr double radius_limit = 1e30;
     return rhs;
 }
 
+// Returns the weights of an earlier fit as weights of the new one, 4 for each centre, or nothing if the kernel's radius
+// may have changed. If coordinates are multiplied by k, then f is, too, and phi(k r) = k^3 phi(r).
+[[nodiscard]] base::Array<double> weights_of(base::Memory& memory, const EarlierFit& earlier,
+                                             const implicit::HrbfData& data) {
+    base::Array<double> weights(memory);
+    if (earlier.data == nullptr || data.kernel != kernel::Kind::triharmonic) return weights;
+    const implicit::HrbfData& from = *earlier.data;
+    const double k = from.scale / data.scale;
+    const std::int64_t count = data.centre_position.size();
+    weights.resize(4 * count);
+    for (std::int64_t i = 0; i < count; ++i) {
+        const std::int64_t j = earlier.index != nullptr ? (*earlier.index)[i] : i;
+        if (j < 0) continue;
+        weights[4 * i] = from.alpha[j] / (k * k);
+        for (glm::length_t c = 0; c < 3; ++c) weights[4 * i + 1 + c] = from.beta[j][c] / k;
+    }
+    return weights;
+}
+
 [[nodiscard]] SolveOptions solve_options(const FitInput& input) noexcept {
     SolveOptions options;
     options.solver = input.solver;
@@ -146,8 +165,8 @@ void report_solution(const Solution& solution, FitReport& report) noexcept {
 
 } // namespace
 
-CentreFit fit_centres(const base::Work& work, const FitInput& input, const Samples& centres,
-                      const Smoothing& smoothing) {
+CentreFit fit_centres(const base::Work& work, const FitInput& input, const Samples& centres, const Smoothing& smoothing,
+                      const EarlierFit& earlier) {
     const base::Stopwatch watch;
     CentreFit fit{
         {normalise(work, input, centres), {}, base::Array<double>(work.memory)}, base::Array<double>(work.memory), 0.0};
@@ -157,7 +176,10 @@ CentreFit fit_centres(const base::Work& work, const FitInput& input, const Sampl
     const base::Array<double> rhs = right_hand_side(work.memory, system, centres, data.scale);
     const double seconds_before = watch.seconds();
     work.check();
-    Solution solution = solve(work, system, rhs.data(), solve_options(input));
+    SolveOptions options = solve_options(input);
+    const base::Array<double> start = weights_of(work.memory, earlier, data);
+    if (!start.empty()) options.start = start.data();
+    Solution solution = solve(work, system, rhs.data(), options);
     work.check();
     store(solution, data);
     work.check();

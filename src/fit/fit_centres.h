@@ -24,8 +24,15 @@ struct CentreFit {
     double variance = 0.0;
 };
 
+// An earlier fit to some of the centres. The iterations of a new fit can start at its weights.
+struct EarlierFit {
+    const implicit::HrbfData* data = nullptr; // null: there is no earlier fit
+    // For each centre of the new fit, its index in the earlier fit, or -1. Null: both fits have the same centres.
+    const base::Array<std::int64_t>* index = nullptr;
+};
+
 // `centres.bounds` are the model's bounds. They may differ from the bounds of the centres' positions.
 [[nodiscard]] CentreFit fit_centres(const base::Work& work, const FitInput& input, const Samples& centres,
-                                    const Smoothing& smoothing);
+                                    const Smoothing& smoothing, const EarlierFit& earlier = {});
 
 } // namespace hrbfnpr::fit

@@ -76,6 +76,7 @@ public:
         polynomials_.subtract_best_polynomial(r_.data(), c_.data());
         progress.check();
         scale_ = std::max(norm(rhs, size_), 1e-300);
+        if (options.start != nullptr) start_at(ordered, options.start, progress);
         solution.residual = norm(r_.data(), size_) / scale_;
         run_until_confirmed(options, solution, progress);
         // The last residual is that of an approximate product. Callers that judge the solution need the true residual.
@@ -89,6 +90,19 @@ public:
     }
 
 private:
+    // Starts at the given weights, or at 0 if the given weights are worse than 0.
+    void start_at(const OrderedSystem& ordered, const double* weights, const base::Progress& progress) {
+        const double residual_of_zero = norm(r_.data(), size_);
+        ordered.gather(weights, w_.data());
+        polynomials_.make_orthogonal(w_.data()); // Removes the polynomial part that rounding has left.
+        find_residual(progress);
+        if (norm(r_.data(), size_) < residual_of_zero) return;
+        std::fill(w_.begin(), w_.end(), 0.0);
+        std::copy_n(h_.data(), size_, r_.data());
+        c_.fill(0.0);
+        polynomials_.subtract_best_polynomial(r_.data(), c_.data());
+    }
+
     // Returns false if the iterations end before the residual reaches `goal`.
     bool iterate(double goal, const SolveOptions& options, Solution& solution, const base::Progress& progress) {
         const CgOutcome outcome = cg_.run({w_.data(), r_.data(), c_.data()}, scale_, goal,

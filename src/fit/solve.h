@@ -15,6 +15,9 @@ struct SolveOptions {
     double acceptable = 1e-6; // a residual that is accepted if rounding or an approximate product stops the iterations
     double product_tolerance = 0.0; // the tolerance of a fast product; 0: the same as `tolerance`
     std::int32_t iterations = 200;
+    // If not null, rows() numbers at which the iterations start: weights that satisfy the side constraints. The
+    // iterations start at 0 if these weights are worse.
+    const double* start = nullptr;
     std::int32_t neighbours = 0; // the number of neighbours that the preconditioner uses for each sample; 0: automatic
 };
 

@@ -26,6 +26,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -38,11 +39,11 @@ namespace {
 // and for each centre of a far field. The far field has the precision and the number of near centres below. It is made
 // only if it saves `worth` times the time that making it takes.
 constexpr double seconds_a_pair = 1.1e-9;
-constexpr double seconds_a_field = 0.05;
-constexpr double seconds_a_centre = 8.5e-5;
+constexpr double seconds_a_field = 0.01;
+constexpr double seconds_a_centre = 5e-5;
 constexpr double worth = 1.2;
 constexpr std::int64_t most_near = 1000;
-constexpr double gradient_precision = 1e-2;
+constexpr double gradient_precision = 5e-2;
 
 bool pays(std::int64_t centres, std::int64_t places) noexcept {
     const auto count = static_cast<double>(centres);
@@ -120,8 +121,17 @@ FitMeshReport first_report(const Mesh& mesh, const FitMeshSettings& settings) no
     return report;
 }
 
+// Returns a step with which i * step modulo `count` takes each value once, and few values are already spread out.
+std::int64_t step_through(std::int64_t count) noexcept {
+    constexpr double golden_ratio = 0.6180339887498949;
+    auto step = std::max<std::int64_t>(1, std::llround(golden_ratio * static_cast<double>(count)));
+    while (std::gcd(step, count) > 1) ++step;
+    return step;
+}
+
 // Returns the candidates: places spread evenly over the area, and the middles of faces, which are dense where details
-// are.
+// are. The first few candidates are spread over the whole mesh, too, because rounds with few centres look only at
+// these.
 fit::Samples gather_candidates(const Task& task, FitMeshReport& report) {
     const auto& [work, mesh, tree, settings, outer] = task;
     const std::int64_t faces = mesh.faces();
@@ -131,18 +141,44 @@ fit::Samples gather_candidates(const Task& task, FitMeshReport& report) {
                                     : std::clamp(faces, fit_mesh_tuning.fewest_candidates, most_of_faces);
     MeshSamples even = random_samples(work, mesh, wanted, settings.seed, 1);
     report.contact = warn_of_part_contact(work, mesh, tree, even, report.tolerance, false);
+    const std::int64_t middles = settings.candidates > 0 ? 0 : std::min(faces, most_of_faces);
+    const std::int64_t step = step_through(middles);
     fit::Samples candidates(work.memory);
-    candidates.position = std::move(even.position);
-    candidates.normal = std::move(even.normal);
-    const std::int64_t step = (faces + most_of_faces - 1) / most_of_faces;
-    for (std::int64_t face = 0; face < faces && settings.candidates == 0; face += step) {
-        candidates.position.push_back(middle_of(mesh, face));
-        candidates.normal.push_back(normal_at(mesh, face, glm::dvec3(1.0 / 3.0)));
+    for (std::int64_t i = 0; i < std::max(wanted, middles); ++i) {
+        if (i < wanted) {
+            candidates.position.push_back(even.position[i]);
+            candidates.normal.push_back(even.normal[i]);
+        }
+        if (i < middles) {
+            const std::int64_t face = i * step % middles * faces / middles;
+            candidates.position.push_back(middle_of(mesh, face));
+            candidates.normal.push_back(normal_at(mesh, face, glm::dvec3(1.0 / 3.0)));
+        }
     }
     keep_outer(work, mesh, tree, candidates.position, candidates.normal);
     candidates.bounds = mesh.bounds;
     report.candidates = candidates.position.size();
     return candidates;
+}
+
+// Returns the first candidates.
+fit::Samples first_of(const fit::Samples& candidates, std::int64_t count) {
+    fit::Samples some(candidates.position.memory());
+    some.position.reserve(count);
+    some.normal.reserve(count);
+    for (std::int64_t i = 0; i < count; ++i) {
+        some.position.push_back(candidates.position[i]);
+        some.normal.push_back(candidates.normal[i]);
+    }
+    some.bounds = candidates.bounds;
+    return some;
+}
+
+// Returns the largest number of centres that a round may add. `outside` is the share of the candidates outside the
+// tolerance.
+std::int64_t batch_of(std::int64_t centres, double outside) noexcept {
+    const double share = outside > fit_mesh_tuning.mostly_outside ? fit_mesh_tuning.large_batch : fit_mesh_tuning.batch;
+    return static_cast<std::int64_t>(share * static_cast<double>(centres));
 }
 
 // ---- Distances from the mesh to the surface
@@ -194,6 +230,30 @@ base::Array<double> distances_to_mesh(const Task& task, const geometry::VecArray
         }
     });
     return distance;
+}
+
+// Drops the distances of places that samples do not support, if there is a support. Only places farther from the mesh
+// than the tolerance are examined, because the others are within it anyway.
+void drop_unsupported_beyond(const base::Work& work, const SurfaceSearch& search, const SurfacePlaces& places,
+                             double tolerance, base::Array<double>& distance) {
+    if (search.support == nullptr) return;
+    SurfacePlaces far(work.memory);
+    base::Array<double> far_distance(work.memory);
+    std::int64_t kept = 0;
+    for (std::int64_t i = 0; i < distance.size(); ++i) {
+        if (distance[i] <= tolerance) {
+            distance[kept++] = distance[i];
+            continue;
+        }
+        far.position.push_back(places.position[i]);
+        far.gradient.push_back(places.gradient[i]);
+        far_distance.push_back(distance[i]);
+    }
+    base::Array<double> beyond(work.memory);
+    search.support->evaluate_all(work, far.position, far.gradient, beyond);
+    for (std::int64_t i = 0; i < beyond.size(); ++i)
+        if (beyond[i] <= search.limit) distance[kept++] = far_distance[i];
+    distance.resize(kept);
 }
 
 // Adds centres at places of the surface that are far from the mesh, the farthest first. The distance between two of
@@ -265,7 +325,10 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                              fit_mesh_tuning.finest_residual, fit_mesh_tuning.roughest_residual);
 
     fit::Samples candidates = gather_candidates(task, report);
-    std::optional<geometry::PointTree> candidate_tree;
+    // The candidates that the rounds have looked at. All centres are among them.
+    fit::Samples some = first_of(candidates, std::min(candidates.position.size(), fit_mesh_tuning.candidates_a_centre *
+                                                                                      fit_mesh_tuning.first_centres));
+    std::optional<geometry::PointTree> some_tree;
     std::optional<surface::Support> support;
     if (report.supported) support.emplace(work, candidates.position, candidates.normal, 0.0);
     report.seconds_sample = watch.seconds();
@@ -278,7 +341,15 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
     search.limit = fit_mesh_tuning.support_limit;
     search.support = support ? &*support : nullptr;
 
-    std::int64_t surface_places = fit_mesh_tuning.first_places; // the number of places at which the search evaluates f
+    // The vertices of the surface that was found last, and the side of its cells.
+    std::int64_t surface_vertices = fit_mesh_tuning.first_vertices;
+    double surface_side = search.side;
+    // Returns the expected number of places at which the next search for the surface evaluates f.
+    const auto surface_places = [&] {
+        const double finer = surface_side / search.side;
+        return static_cast<std::int64_t>(static_cast<double>(fit_mesh_tuning.places_a_vertex * surface_vertices) *
+                                         finer * finer);
+    };
     double least_outside = 2.0;
     double least_far = std::numeric_limits<double>::infinity();
     std::int32_t idle = 0; // the number of consecutive rounds without a gain
@@ -286,11 +357,13 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
 
     // Measures the whole surface. Adds centres off the mesh to `next` where the surface is far from the mesh. Returns
     // whether it added any.
-    const auto look_at_surface = [&](const FitField& field, const fit::AdaptiveFit& now, fit::NextCentres& next) {
+    const auto look_at_surface = [&](FitField& field, const fit::AdaptiveFit& now, fit::NextCentres& next) {
         geometry::VecArray seeds(work.memory);
         for (const std::int64_t i : now.centres) seeds.push_back(candidates.position[i]);
+        field.prepare_for(work, surface_places());
         curves::SurfaceMesh surface = find_surface(work.without_progress(), *field, seeds, search);
-        surface_places = fit_mesh_tuning.places_a_vertex * surface.position.size();
+        surface_vertices = surface.position.size();
+        surface_side = search.side;
         // The places are the vertices of the surface, which lie on f = 0. Even a small part of the surface has
         // vertices.
         SurfacePlaces places(work.memory);
@@ -302,10 +375,7 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
             settings.maximum_centres - now.centres.size() - now.off_surface.position.size() - before;
         add_off_surface_centres(task, places.position, distance, report.tolerance, room, now.off_surface,
                                 next.off_surface);
-        if (report.supported) {
-            drop_unsupported(work, search, places);
-            distance = distances_to_mesh(task, places.position);
-        }
+        drop_unsupported_beyond(work, search, places, report.tolerance, distance);
         report.surface = statistics_of(distance, report.tolerance, report.far);
         return next.off_surface.position.size() > before;
     };
@@ -324,44 +394,45 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         const base::Stopwatch of_look;
         fit::NextCentres next(work.memory, {options.regularization, options.regularization});
         FitField field(work.instruction_set, now.fit.result.data, search.precision);
-        field.prepare_for(work, candidates.position.size() + surface_places);
-        const fit::Distances distances = fit::measure_distances(work.without_progress(), *field, candidates);
-        input_distance_rms = root_mean_square(distances.distance, now.fit.result.data.scale);
-        base::Array<double> distance = distances_of_candidates(task, candidates, distances, report.tolerance);
-        report.mesh = statistics_of(distance, report.tolerance, report.far);
-        const bool mesh_good = report.mesh.is_within(share, report.far);
+        fit::Distances distances(work.memory);
+        // If the last round was nearly good, all candidates and the surface are probably measured in this round.
+        const bool nearly_good = report.mesh.share > 1.0 - fit_mesh_tuning.mostly_outside;
+        const std::int64_t all = candidates.position.size();
+        const auto measure_mesh = [&](std::int64_t count) {
+            if (count > some.position.size()) {
+                some = first_of(candidates, count);
+                some_tree.reset();
+            }
+            field.prepare_for(work, count + (nearly_good ? all + surface_places() : 0));
+            distances = fit::measure_distances(work.without_progress(), *field, some);
+            input_distance_rms = root_mean_square(distances.distance, now.fit.result.data.scale);
+            base::Array<double> distance = distances_of_candidates(task, some, distances, report.tolerance);
+            report.mesh = statistics_of(distance, report.tolerance, report.far);
+            return report.mesh.is_within(share, report.far);
+        };
+        bool mesh_good = measure_mesh(
+            std::clamp(fit_mesh_tuning.candidates_a_centre * now.centres.size(), some.position.size(), all));
+        if (mesh_good && some.position.size() < all) mesh_good = measure_mesh(all);
         // The whole surface is examined for the first time when most of the mesh is within the tolerance, because most
         // spurious parts have disappeared by then. It is examined again while some part of it is far from the mesh, and
-        // at the end.
+        // at the end, in smaller cells.
         const bool far = !(report.surface.most <= report.far);
         const bool looked = mesh_good || (report.mesh.share > fit_mesh_tuning.first_look && far);
+        if (mesh_good) search.side = std::min(search.side, diagonal / fit_mesh_tuning.cells_of_last);
         bool grown = looked && look_at_surface(field, now, next);
         const std::int64_t room = settings.maximum_centres - now.centres.size() - now.off_surface.position.size() -
                                   next.off_surface.position.size();
         if (room > 0 && !mesh_good) {
-            const std::int64_t batch = fit::batch_of(now.centres.size(), 1.0 - report.mesh.share);
+            const std::int64_t batch = batch_of(now.centres.size(), 1.0 - report.mesh.share);
             const fit::CandidateOptions wanted{fit_mesh_tuning.inner * report.tolerance,
                                                fit_mesh_tuning.apart * report.tolerance, std::min(batch, room)};
-            if (!candidate_tree) candidate_tree.emplace(candidates.position, work);
-            next.centres =
-                fit::worst_candidates(work, candidates, *candidate_tree, now.centres, distances, wanted).chosen;
+            if (!some_tree) some_tree.emplace(some.position, work);
+            next.centres = fit::worst_candidates(work, some, *some_tree, now.centres, distances, wanted).chosen;
             grown = !next.centres.empty() || grown;
         }
         if (!looked && !grown) grown = look_at_surface(field, now, next);
-        const auto all_good = [&] { return mesh_good && report.surface.is_within(share, report.far); };
-        if (all_good()) {
-            // At the end, the surface is searched once in smaller cells. Spurious parts that are found there need more
-            // centres.
-            const double side = diagonal / fit_mesh_tuning.cells_of_last;
-            const double ratio = search.side / side;
-            if (ratio > 1.0) {
-                search.side = side;
-                field.prepare_for(work, static_cast<std::int64_t>(ratio * ratio * static_cast<double>(surface_places)));
-                next.continues = look_at_surface(field, now, next) && !all_good();
-            }
-        } else {
-            next.continues = grown && (!looked || gains());
-        }
+        const bool all_good = mesh_good && report.surface.is_within(share, report.far);
+        next.continues = !all_good && grown && (!looked || gains());
         work.runtime().log(base::LogLevel::debug,
                            "mesh fit: round %d, %lld centres: share within: mesh %.4f (farthest %.3g), surface %.4f "
                            "(%.3g); %lld to add, %lld off it",
@@ -375,8 +446,9 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
 
     fit::AdaptiveFit made = fit::fit_adaptively(
         work, options, candidates,
-        fit::even_choice(candidates, std::min(fit_mesh_tuning.first_centres, settings.maximum_centres), work),
-        {options.regularization, options.regularization}, {fit_mesh_tuning.most_rounds, true}, std::ref(look));
+        fit::even_choice(some, std::min(fit_mesh_tuning.first_centres, settings.maximum_centres), work),
+        {options.regularization, options.regularization},
+        {fit_mesh_tuning.most_rounds, fit_mesh_tuning.residual_of_rounds, true}, std::ref(look));
     report.rounds = made.rounds;
     report.seconds_fit = made.seconds_fit;
     report.off_surface = made.off_surface.position.size();

@@ -67,6 +67,15 @@ struct FitMeshTuning {
     // The least and the largest number of candidates. Larger: finer details are seen, and rounds take longer.
     std::int64_t fewest_candidates = 20000;
     std::int64_t most_candidates = 100000;
+    // A round adds at most this many centres, as a share of the existing ones: `large_batch` while more than the share
+    // `mostly_outside` of the candidates is outside the tolerance, then `batch`. Larger: fewer rounds, and more centres
+    // that were not needed.
+    double large_batch = 2.0;
+    double batch = 1.0;
+    double mostly_outside = 0.25;
+    // A round looks only at this many candidates for each of its centres, because it adds fewer centres than that.
+    // Larger: slower; smaller: centres are chosen less well.
+    std::int64_t candidates_a_centre = 16;
     std::int32_t most_rounds = 40;
     // Candidates farther from the surface than this share of the tolerance become centres. Larger: more rounds.
     double inner = 0.8;
@@ -95,14 +104,17 @@ struct FitMeshTuning {
     double residual = 5e-3;
     double finest_residual = 1e-8;
     double roughest_residual = 1e-5;
+    // The relative residual to which the rounds solve. The last fit is solved to the residual above. Larger: rounds are
+    // faster, and their errors are measured less exactly.
+    double residual_of_rounds = 2e-3;
     // The precision of f and of the surface's vertices, in tolerances. `finest_precision` is the smallest value that is
     // used, in diagonals.
     double precision = 5e-2;
     double finest_precision = 1e-9;
-    // The search for the surface evaluates f about this many times for each vertex of the surface. `first_places` is
-    // the first estimate of the total. The numbers only decide whether a far field is worthwhile.
-    std::int64_t places_a_vertex = 3;
-    std::int64_t first_places = 100'000;
+    // The search for the surface evaluates f about this many times for each vertex of the surface. `first_vertices` is
+    // the first estimate of their number. The numbers only decide whether a far field is worthwhile.
+    std::int64_t places_a_vertex = 5;
+    std::int64_t first_vertices = 30'000;
     // Beyond a border, surface is ignored if its support by the candidates (s of surface/support.h) is above this
     // limit.
     double support_limit = 3.0;

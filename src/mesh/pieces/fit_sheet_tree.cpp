@@ -88,7 +88,7 @@ fit::Samples centres_of(base::Memory& memory, const implicit::HrbfData& data) {
     fit::AdaptiveFit made =
         fit::fit_adaptively(work.without_progress(), options, samples,
                             fit::even_choice(samples, std::min(sheet_tuning.first_centres, most), work), smoothing,
-                            {sheet_tuning.most_rounds, true}, std::ref(look));
+                            {sheet_tuning.most_rounds, 0.0, true}, std::ref(look));
     sheet.data = std::move(made.fit.result.data);
     sheet.report = made.fit.result.report;
     sheet.report.input_distance_max = input_distance_max;
