@@ -85,9 +85,10 @@ fit::Samples centres_of(base::Memory& memory, const implicit::HrbfData& data) {
         next.continues = !next.centres.empty();
         return next;
     };
+    const std::int64_t first = patch.in_plane ? sheet_tuning.centres_in_plane : sheet_tuning.first_centres;
     fit::AdaptiveFit made =
         fit::fit_adaptively(work.without_progress(), options, samples,
-                            fit::even_choice(samples, std::min(sheet_tuning.first_centres, most), work), smoothing,
+                            fit::even_choice(samples, std::min(first, most), work), smoothing,
                             {sheet_tuning.most_rounds, 0.0, true}, std::ref(look));
     sheet.data = std::move(made.fit.result.data);
     sheet.report = made.fit.result.report;

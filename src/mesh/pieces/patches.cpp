@@ -265,14 +265,6 @@ private:
     });
 }
 
-// Returns about how many places are sampled on a patch.
-[[nodiscard]] double places_wanted(const Mesh& mesh, const PatchNormals& normals, std::span<const std::int32_t> faces,
-                                   const PatchTolerance& tolerance) noexcept {
-    if (lie_in_plane(mesh, normals, faces, patch_tuning.in_plane * tolerance.crease))
-        return patch_tuning.places_in_plane;
-    return std::min(patch_tuning.wanted_places, patch_tuning.places_a_face * static_cast<double>(faces.size()));
-}
-
 // Sets the tolerance of each place. It is larger near tips, because a sheet rounds tips.
 void set_tolerances(const base::Work& work, const PatchTolerance& tolerance, std::int64_t on_creases,
                     const base::Array<glm::dvec3>& tips, double around_tip, PatchSamples& result) {
@@ -370,7 +362,13 @@ PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Crease
     const double diagonal = mesh.bounds.diagonal();
     double area = 0.0;
     for (const std::int32_t face : faces) area += 0.5 * glm::length(doubled_area(mesh.corners(face)));
-    const double spacing = std::max(std::sqrt(area / places_wanted(mesh, normals, faces, tolerance)), 1e-4 * diagonal);
+    PatchSamples result(work.memory);
+    result.in_plane = lie_in_plane(mesh, normals, faces, patch_tuning.in_plane * tolerance.crease);
+    const double wanted =
+        result.in_plane
+            ? patch_tuning.places_in_plane
+            : std::min(patch_tuning.wanted_places, patch_tuning.places_a_face * static_cast<double>(faces.size()));
+    const double spacing = std::max(std::sqrt(area / wanted), 1e-4 * diagonal);
     const auto grid_of = [&](double side) {
         return geometry::CellGrid{mesh.bounds.min - spacing, std::max(side * spacing, 1e-5 * diagonal)};
     };
@@ -378,7 +376,6 @@ PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Crease
     const geometry::CellGrid crease_grid = grid_of(patch_tuning.thinned_crease);
     geometry::CellSet taken(work.memory), taken_crease(work.memory);
     base::Array<glm::dvec3> tips(work.memory);
-    PatchSamples result(work.memory);
     const auto add = [&](const glm::dvec3& place, const glm::dvec3& normal, bool crease) {
         const std::uint64_t cell = geometry::CellGrid::pack(grid.cell_of(place));
         if (crease && !taken_crease.insert(geometry::CellGrid::pack(crease_grid.cell_of(place)))) return;

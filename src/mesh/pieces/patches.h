@@ -35,6 +35,7 @@ struct PatchSamples {
 
     fit::Samples samples;          // the places, with bounds but without spacing
     base::Array<double> tolerance; // for each sample: its largest allowed distance from the sheet
+    bool in_plane = false;         // true if the patch lies in a plane
 };
 
 struct PatchTolerance {

@@ -63,7 +63,9 @@ inline constexpr CreaseTuning crease_tuning;
 // The constants of the fit of one sheet. Set by scripts/bench edges. Most sheets there are planes, parts of cylinders
 // and fillets, which need few centres and short rounds.
 struct SheetTuning {
-    // The number of evenly spread samples that a fit begins with. Larger: planes take longer.
+    // The number of evenly spread samples that a fit begins with: for patches in a plane, and for others. Larger: slower
+    // fits and evaluations.
+    std::int64_t centres_in_plane = 3;
     std::int64_t first_centres = 8;
     std::int32_t most_rounds = 12;
     // A round adds at most this share of the existing number of centres, but may always add `smallest_batch`. Larger:
