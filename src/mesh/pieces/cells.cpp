@@ -92,11 +92,14 @@ public:
             reference_[k].winding = winding_number(tree, reference_[k].place);
         }
     }
-    // The mesh is farther than `free` from the place.
-    [[nodiscard]] bool contains(const glm::dvec3& place, double free) const noexcept {
-        const bool first = is_inside(reference_[0], place, free);
-        const bool second = is_inside(reference_[1], place, free);
-        return first == second ? first : is_inside(reference_[2], place, free);
+    [[nodiscard]] bool contains(const glm::dvec3& place) const noexcept { return contains_free(place, 0.0); }
+    // The same for a place from which the mesh is `free` away. Such a place is on the side of the last such place if no
+    // face can be between the two.
+    [[nodiscard]] bool contains(const glm::dvec3& place, double free) noexcept {
+        if (!(glm::distance(place, last_) < 0.99 * std::max(free, last_free_))) last_inside_ = contains_free(place, free);
+        last_ = place;
+        last_free_ = free;
+        return last_inside_;
     }
 
 private:
@@ -104,6 +107,11 @@ private:
         glm::dvec3 place{0.0};
         int winding = 0;
     };
+    [[nodiscard]] bool contains_free(const glm::dvec3& place, double free) const noexcept {
+        const bool first = is_inside(reference_[0], place, free);
+        const bool second = is_inside(reference_[1], place, free);
+        return first == second ? first : is_inside(reference_[2], place, free);
+    }
     [[nodiscard]] bool is_inside(const Reference& from, const glm::dvec3& place, double free) const noexcept {
         const bool is_near = glm::distance(from.place, place) < 0.99 * free;
         return from.winding + (is_near ? 0 : tree_.winding_beyond(place, from.place)) > 0;
@@ -111,6 +119,9 @@ private:
 
     const FaceTree& tree_;
     std::array<Reference, 3> reference_;
+    glm::dvec3 last_{0.0};
+    double last_free_ = 0.0;
+    bool last_inside_ = false;
 };
 
 // Finds on which side of the mesh a place lies. Usually the normal at the nearest place decides (Baerentzen and Aanaes,
@@ -122,11 +133,16 @@ public:
     SignedDistances(const base::Work& work, const Mesh& mesh, const FaceTree& tree);
 
     [[nodiscard]] NearestPlace nearest_place(const glm::dvec3& place) const noexcept {
-        return nearest_place(place, [&](double) { return is_inside(tree_, place); });
+        return nearest_place(place, std::numeric_limits<double>::infinity(),
+                             [&](double) { return is_inside(tree_, place); });
     }
-    // The same for a place of a box.
-    [[nodiscard]] NearestPlace nearest_place(const glm::dvec3& place, const InsideOfBox& box) const noexcept {
-        return nearest_place(place, [&](double free) { return box.contains(place, free); });
+    // The same for a place of a box. `on_mesh` is any place on the mesh; the nearer it is, the faster is the search.
+    [[nodiscard]] NearestPlace nearest_place(const glm::dvec3& place, const glm::dvec3& on_mesh,
+                                             InsideOfBox& box) const noexcept {
+        const glm::dvec3 off = place - on_mesh;
+        constexpr double rounding = 1e-9; // relative
+        return nearest_place(place, (1.0 + rounding) * glm::dot(off, off),
+                             [&](double free) { return box.contains(place, free); });
     }
     // Returns the distance, at most `most`, that a point can move from a place inside a face along a direction while
     // that face remains the nearest part of the mesh.
@@ -134,10 +150,15 @@ public:
         const FaceTree::Hit hit = tree_.first_hit(place, 2.0 * most * along, 1e-6, 1.0);
         return hit.face < 0 ? most : 0.9 * hit.t * most;
     }
-    // Returns whether a place of a box is on the outer surface of the mesh, not on a face inside another part.
-    [[nodiscard]] bool is_outer(const NearestPlace& nearest, const InsideOfBox& box) const noexcept {
-        return !by_rays_ || !box.contains(nearest.place + off_ * normal_[nearest.face], 0.0) ||
-               !box.contains(nearest.place - off_ * normal_[nearest.face], 0.0);
+    // Returns whether a place of a box is on the outer surface of the mesh, not on a face inside another part. It is the
+    // place of the mesh that is nearest to `from`.
+    [[nodiscard]] bool is_outer(const NearestPlace& nearest, const glm::dvec3& from, const InsideOfBox& box) const noexcept {
+        if (!by_rays_) return true;
+        const glm::dvec3 off = off_ * normal_[nearest.face];
+        const double along = glm::dot(from - nearest.place, normal_[nearest.face]);
+        if (std::abs(along) < off_) return !box.contains(nearest.place + off) || !box.contains(nearest.place - off);
+        // No face is between `from` and the place beside the face on the same side.
+        return nearest.distance > 0.0 || !box.contains(along > 0.0 ? nearest.place - off : nearest.place + off);
     }
     // Returns an object that answers nothing if normals always decide.
     [[nodiscard]] InsideOfBox inside_of(const glm::dvec3& centre, double half) const noexcept {
@@ -148,10 +169,11 @@ public:
     [[nodiscard]] const glm::dvec3& normal(std::int64_t face) const noexcept { return normal_[face]; }
 
 private:
-    // Calls by_rays(free) if the normal does not decide. The place is `free` away from the mesh.
+    // `limit` is a squared distance within which there is a face. Calls by_rays(free) if the normal does not decide. The
+    // place is `free` away from the mesh.
     template <class ByRays>
-    [[nodiscard]] NearestPlace nearest_place(const glm::dvec3& place, ByRays&& by_rays) const noexcept {
-        const FaceTree::Nearest nearest = tree_.nearest(place);
+    [[nodiscard]] NearestPlace nearest_place(const glm::dvec3& place, double limit, ByRays&& by_rays) const noexcept {
+        const FaceTree::Nearest nearest = tree_.nearest(place, limit);
         NearestPlace result{std::sqrt(nearest.squared), nearest.face, nearest.place, false};
         const glm::dvec3 normal = pseudo_normal(nearest.face, nearest.place, result.inner);
         const Triangle& t = mesh_.triangle[nearest.face];
@@ -335,11 +357,12 @@ struct TreeTests {
     base::Array<std::int32_t> own; // for each place on the surface: the index of the sheet that f should equal; else -1
 };
 
-// Adds two kinds of tests. On the mesh, f should equal the sheet of the patch. Beside the mesh, on either side, f
+// Adds two kinds of tests for the place on the mesh that is nearest to `from`. On the mesh, f should equal the sheet of the patch. Beside the mesh, on either side, f
 // should have the sign of that side.
 void test_on_surface(const CellTask& task, const CellBox& box, const InsideOfBox& inside,
-                     std::span<const std::int32_t> sheets, const NearestPlace& nearest, double step, TreeTests& tests) {
-    if (!box.contains(nearest.place) || !task.distances.is_outer(nearest, inside)) return;
+                     std::span<const std::int32_t> sheets, const NearestPlace& nearest, const glm::dvec3& from,
+                     double step, TreeTests& tests) {
+    if (!box.contains(nearest.place) || !task.distances.is_outer(nearest, from, inside)) return;
     const auto own = std::find(sheets.begin(), sheets.end(), task.creases.patch[nearest.face]);
     if (own == sheets.end()) return;
     const double slack = task.slack(nearest.face);
@@ -358,7 +381,8 @@ void test_on_surface(const CellTask& task, const CellBox& box, const InsideOfBox
                                      std::span<const std::int32_t> sheets, std::uint64_t cell) {
     constexpr std::uint32_t stream = 78;
     TreeTests tests(task.runtime.memory);
-    const InsideOfBox inside = task.distances.inside_of(box.centre, box.half);
+    InsideOfBox inside = task.distances.inside_of(box.centre, box.half);
+    glm::dvec3 on_mesh = middle_of(task.mesh, faces[0]);
     const std::int64_t n = cell_tuning.along;
     const double spacing = 2.0 * box.half / static_cast<double>(n);
     for (std::int64_t i = 0; i < n * n * n; ++i) {
@@ -366,11 +390,12 @@ void test_on_surface(const CellTask& task, const CellBox& box, const InsideOfBox
             base::uniform4(task.seed, cell * 1024U + static_cast<std::uint64_t>(i), base::Purpose::mesh_sample, stream);
         const glm::dvec3 in = glm::dvec3(i % n, i / n % n, i / (n * n)) + glm::dvec3(random[0], random[1], random[2]);
         const glm::dvec3 place = box.centre - box.half + spacing * in;
-        const NearestPlace nearest = task.distances.nearest_place(place, inside);
+        const NearestPlace nearest = task.distances.nearest_place(place, on_mesh, inside);
+        on_mesh = nearest.place;
         if (std::abs(nearest.distance) > task.slack(nearest.face)) tests.add(place, nearest.distance, 0.0, -1);
         if (i % 2 == 0)
-            test_on_surface(task, box, inside, sheets, nearest, i % 4 == 0 ? cell_tuning.beside_step : cell_tuning.finer_step,
-                            tests);
+            test_on_surface(task, box, inside, sheets, nearest, place,
+                            i % 4 == 0 ? cell_tuning.beside_step : cell_tuning.finer_step, tests);
     }
     const std::size_t step =
         std::max<std::size_t>(1, faces.size() / static_cast<std::size_t>(cell_tuning.faces_looked_at));
@@ -378,11 +403,11 @@ void test_on_surface(const CellTask& task, const CellBox& box, const InsideOfBox
         const auto p = task.mesh.corners(faces[i]);
         const glm::dvec3 middle = middle_of(task.mesh, faces[i]);
         NearestPlace nearest{0.0, faces[i], middle, true};
-        test_on_surface(task, box, inside, sheets, nearest, cell_tuning.finer_step, tests);
+        test_on_surface(task, box, inside, sheets, nearest, nearest.place, cell_tuning.finer_step, tests);
         for (std::size_t k = 0; k < 3; ++k) {
             const glm::dvec3 side = 0.5 * (p[k] + p[(k + 1) % 3]);
             nearest.place = side + std::min(1.0, 0.1 * box.half / glm::distance(side, middle)) * 0.5 * (middle - side);
-            test_on_surface(task, box, inside, sheets, nearest, cell_tuning.finer_step, tests);
+            test_on_surface(task, box, inside, sheets, nearest, nearest.place, cell_tuning.finer_step, tests);
         }
     }
     return tests;
