@@ -17,7 +17,8 @@ struct PictureInput {
     const char* name;
     PictureMesh (*generate)();
     scenes::Model (*model)(hrbfnpr_context* context);
-    const char* script; // the same solid for the command line
+    const char* script;         // the same solid for the command line
+    bool is_height_map = false; // z is known to be up
 };
 
 namespace detail {
@@ -30,13 +31,14 @@ namespace detail {
     return part.take();
 }
 
-inline constexpr const char* bracket_script = "plate = box((6, 4, 0.6), center=(0, 0, 0.3))\n"
-                                              "wall = box((0.6, 3.2, 3.3), center=(-2.3, 0, 1.95))\n"
-                                              "eye = cylinder(1.1, 1, center=(-2.2, 0, 3.6), axis=(1, 0, 0))\n"
-                                              "bore = cylinder(0.6, 3, center=(-2.2, 0, 3.6), axis=(1, 0, 0))\n"
-                                              "bolts = union(*[cylinder(0.3, 2, center=(0.6 * i - 0.5, 2.4 * j - 1.2, "
-                                              "0.3)) for i in range(5) for j in range(2)])\n"
-                                              "(plate.blend(wall, 0.6) | eye) - bore - bolts\n";
+inline constexpr const char* bracket_script =
+    "plate = box((6, 4, 0.6), center=(0, 0, 0.3))\n"
+    "wall = box((0.6, 3.2, 3.3), center=(-2.3, 0, 1.95))\n"
+    "eye = cylinder(1.1, 1, center=(-2.2, 0, 3.6), axis=(1, 0, 0))\n"
+    "bore = cylinder(0.6, 3, center=(-2.2, 0, 3.6), axis=(1, 0, 0))\n"
+    "left = union(*[cylinder(0.3, 2, center=(0.6 * i - 0.5, -1.2, 0.3)) for i in range(5)])\n"
+    "right = union(*[cylinder(0.3, 2, center=(0.6 * i - 0.5, 1.2, 0.3)) for i in range(5)])\n"
+    "(plate.blend(wall, 0.6) | eye) - bore - left - right\n";
 
 // Makes the solid of the script.
 [[nodiscard]] inline scenes::Model bracket(hrbfnpr_context* context) {
@@ -101,7 +103,7 @@ inline int tangle(void*, std::int64_t count, const double* points, double* value
             {"double", double_sided_chair, nullptr, nullptr},
             {"folded", [] { return folded(36752); }, nullptr, nullptr},
             {"raw_100k", [] { return raw_points(100000); }, nullptr, nullptr},
-            {"terrain", [] { return terrain(220); }, nullptr, nullptr},
+            {"terrain", [] { return terrain(220); }, nullptr, nullptr, true},
             {"solid", nullptr, detail::bracket, detail::bracket_script},
             {"cube", detail::cube, nullptr, nullptr},
             {"function", nullptr,

@@ -151,7 +151,8 @@ inline void rasterize(const hrbfnpr_picture* picture, const hrbfnpr_drawing* dra
             context = make_context(settings.threads);
             if (input.model != nullptr) model = input.model(context.get());
         });
-        const hrbfnpr_picture_source source = detail::source_of(mesh, model.get());
+        hrbfnpr_picture_source source = detail::source_of(mesh, model.get());
+        if (input.is_height_map) source.up[2] = 1.0;
         hrbfnpr_picture_desc desc = scenes::made(hrbfnpr_picture_desc_init);
         desc.sources = &source;
         desc.source_count = 1;
