@@ -148,7 +148,7 @@ inline constexpr double pi = std::numbers::pi;
     return part.take();
 }
 
-// A gear train of 100 parts: two plates, 4 pillars, 15 axles with two gears and four washers each, and 4 screws.
+// A gear train of 100 parts: two plates, 4 pillars, 15 axles with two gears and three washers each, and 4 screws.
 [[nodiscard]] inline PictureMesh assembly() {
     using detail::moved;
     constexpr double module = 2.0;
