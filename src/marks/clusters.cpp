@@ -3,7 +3,7 @@
 
 #include "base/assert.h"
 #include "base/long_array.h"
-#include "base/sort.h"
+#include "base/sort_on_threads.h"
 #include "geometry/cell_grid.h"
 #include "geometry/morton.h"
 #include "geometry/point_grid.h"
@@ -23,8 +23,7 @@ constexpr NormalVariation unknown_variation{-1.0F, {}};
 
 constexpr int cell_bits = 16; // number of bits for each coordinate of a mark's cell on the Morton curve
 
-// The number of marks that are sorted at a time, of ranges of clusters for a task, and of marks for a task.
-constexpr std::int64_t marks_a_run = 32768;
+// The number of ranges of clusters, and the number of marks, for a task.
 constexpr std::int64_t ranges_a_task = 64;
 constexpr std::int64_t marks_a_task = 16384;
 
@@ -125,29 +124,6 @@ struct KeyedMark {
     std::uint32_t mark;
 };
 
-// Sorts the marks by their keys: runs of equal length in parallel, which are then merged in pairs.
-void sort_by_key(const base::Work& work, base::Array<KeyedMark>& order) {
-    const auto less = [](const KeyedMark& a, const KeyedMark& b) {
-        return a.key != b.key ? a.key < b.key : a.mark < b.mark;
-    };
-    const std::int64_t count = order.size();
-    work.for_chunks(count, marks_a_run, [&](std::int64_t begin, std::int64_t end) {
-        std::sort(order.data() + begin, order.data() + end, less);
-    });
-    base::Array<KeyedMark> merged(order.memory());
-    for (std::int64_t length = marks_a_run; length < count; length *= 2) {
-        merged.resize_for_overwrite(count);
-        work.for_each((count + 2 * length - 1) / (2 * length), [&](std::int64_t pair) {
-            const std::int64_t begin = 2 * length * pair;
-            const std::int64_t middle = std::min(begin + length, count);
-            const std::int64_t end = std::min(middle + length, count);
-            base::merge_long(order.data() + begin, order.data() + middle, order.data() + middle, order.data() + end,
-                             merged.data() + begin, less, work);
-        });
-        std::swap(order, merged);
-    }
-}
-
 base::Array<KeyedMark> sorted_along_curve(const base::Work& work, const Layer& layer, double unit) {
     constexpr std::int64_t last = (std::int64_t{1} << cell_bits) - 1;
     base::Array<KeyedMark> order(layer.rank.memory());
@@ -171,7 +147,9 @@ base::Array<KeyedMark> sorted_along_curve(const base::Work& work, const Layer& l
             order[i] = {(set * 8 + cube_side) << (3 * cell_bits) | code, static_cast<std::uint32_t>(i)};
         }
     });
-    sort_by_key(work, order);
+    base::sort_on_threads(work, order, [](const KeyedMark& a, const KeyedMark& b) {
+        return a.key != b.key ? a.key < b.key : a.mark < b.mark;
+    });
     return order;
 }
 
@@ -358,23 +336,23 @@ constexpr std::int64_t strokes_a_task = 16;
 // Returns the gap around a mark, in separations: the mean distance between neighbouring lines there. Each mark on this
 // mark's line or on a line beside it has an offset across the line. The gap is the weighted mean of the differences
 // between consecutive offsets; nearer differences have more weight. The gap is 1 if there is no other line beside the
-// mark.
-float gap_around(const Layer& layer, const geometry::VecArray& place, const geometry::PointGrid& grid,
+// mark. `place` has the positions of the marks in the order of the grid.
+float gap_around(const Layer& layer, const geometry::PointGrid& grid, const geometry::VecArray& place,
                  std::int64_t mark) noexcept {
+    const glm::dvec3 own(vector_at(layer.position, mark));
     const glm::dvec3 n = vector_at(layer.normal, mark);
     const glm::dvec3 along = vector_at(layer.direction, mark);
     const glm::dvec3 across = glm::cross(n, along);
     std::array<double, most_lines> offset;
     std::size_t count = 0;
-    grid.around(place[mark], [&](std::int64_t at) {
-        const std::int64_t other = grid.index(at);
-        const glm::dvec3 way = (place[other] - place[mark]) / layer.report.step;
+    grid.around(own, [&](std::int64_t at) {
+        const glm::dvec3 way = (place[at] - own) / layer.report.step;
         const double u = glm::dot(way, across);
         // Comparisons are false for NaN, so a mark with NaN is not beside any mark.
         if (count < most_lines && std::abs(u) < marks_tuning.gap_reach &&
             std::abs(glm::dot(way, along)) < marks_tuning.strip_half_width &&
             std::abs(glm::dot(way, n)) < marks_tuning.gap_steepest * std::abs(u) + 0.1 &&
-            glm::dot(n, glm::dvec3(vector_at(layer.normal, other))) > marks_tuning.gap_cosine)
+            glm::dot(n, glm::dvec3(vector_at(layer.normal, grid.index(at)))) > marks_tuning.gap_cosine)
             offset[count++] = u;
     });
     std::sort(offset.begin(), offset.begin() + static_cast<std::ptrdiff_t>(count));
@@ -406,6 +384,7 @@ void measure_gaps(const base::Work& work, const Layer& layer, base::Array<float>
     geometry::VecArray place(work.memory, marks);
     for (std::int64_t i = 0; i < marks; ++i) place.set(i, glm::dvec3(vector_at(layer.position, i)));
     const geometry::PointGrid grid(place, marks_tuning.gap_reach * layer.report.step, work);
+    const geometry::VecArray ordered = grid.in_order(place, work);
     // The separation may come from a file, and may be far too large. So the neighbours of some marks are counted first.
     // If each mark has too many, gaps are not measured, because that would take too long.
     const std::int64_t sample = std::max<std::int64_t>(marks / 32, 1);
@@ -427,7 +406,7 @@ void measure_gaps(const base::Work& work, const Layer& layer, base::Array<float>
             const std::int64_t count = std::int64_t{layer.stroke_first[s + 1]} - first;
             measured.clear();
             for (std::int64_t i = 0; i < count; i += marks_tuning.marks_per_measurement)
-                measured.push_back(gap_around(layer, place, grid, layer.mark_of(first + i)));
+                measured.push_back(gap_around(layer, grid, ordered, layer.mark_of(first + i)));
             for (std::int64_t i = 0; i < count; ++i) {
                 const std::int64_t k = i / marks_tuning.marks_per_measurement;
                 const float t = static_cast<float>(i % marks_tuning.marks_per_measurement) /

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stipples/surface_cells.h"
 
-#include "base/sort.h"
+#include "base/sort_on_threads.h"
 #include "geometry/cell_set.h"
 #include "geometry/long_vec_array.h"
 #include "stipples/tuning.h"
@@ -134,9 +134,8 @@ SurfaceCells find_surface_cells(const marks::Site& site, const geometry::VecArra
         }
         std::swap(front, next);
     }
-    base::sort_long(
-        cells.cell.begin(), cells.cell.end(),
-        [](const SurfaceCell& a, const SurfaceCell& b) { return a.code < b.code; }, site.work);
+    base::sort_on_threads(site.work, cells.cell,
+                          [](const SurfaceCell& a, const SurfaceCell& b) { return a.code < b.code; });
     site.work.update(1.0);
     return cells;
 }

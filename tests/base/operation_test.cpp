@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "base/long_array.h"
 #include "base/operation.h"
-#include "base/sort.h"
+#include "base/sort_on_threads.h"
 #include "base/status.h"
+#include "support/runtime.h"
 #include "support/watcher.h"
 
 #include <gtest/gtest.h>
@@ -125,6 +126,20 @@ TEST(SortLong, GivesTheResultOfStdSort) {
     std::sort(sorted.begin(), sorted.end());
     sort_long(numbers.data(), numbers.data() + numbers.size(), std::less<>());
     EXPECT_EQ(numbers, sorted);
+}
+
+TEST(SortOnThreads, GivesTheResultOfStdSort) {
+    for (const int threads : {1, 3}) {
+        const Runtime runtime = test::with_threads(threads);
+        for (const std::uint64_t count : {0U, 1U, 40000U, 65536U, 250001U}) {
+            Array<std::uint64_t> numbers(runtime.memory);
+            for (std::uint64_t i = 0; i < count; ++i) numbers.push_back(i * 0x9E3779B97F4A7C15U);
+            std::vector<std::uint64_t> sorted(numbers.begin(), numbers.end());
+            std::sort(sorted.begin(), sorted.end());
+            sort_on_threads(runtime, numbers, std::less<>());
+            EXPECT_TRUE(std::equal(numbers.begin(), numbers.end(), sorted.begin(), sorted.end())) << count;
+        }
+    }
 }
 
 TEST(ResizeLong, FillsWithZerosAndCanBeCancelled) {
