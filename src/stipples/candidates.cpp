@@ -306,17 +306,17 @@ struct ProjectionCounts {
     return counts;
 }
 
-// Appends the projections of all trials to `layer`.
+// Appends the projections of all trials to `layer`. `projection` is memory that is used again for each batch of trials.
 void project_trials(const marks::Site& site, const ClassifiedCells& classified, const geometry::VecArray& trial,
-                    const base::Array<TrialTicket>& ticket, LayerCandidates& layer) {
+                    const base::Array<TrialTicket>& ticket, base::Array<Projection>& projection,
+                    LayerCandidates& layer) {
     HRBFNPR_ASSERT(trial.size() == ticket.size());
     marks::FieldSamples field(site.memory());
     evaluate(site, trial, field);
     const base::Array<std::uint8_t> times = trial_weights(site, classified.cells, trial, field);
     const std::int64_t most = (site.implicit.sheets() != nullptr ? 2 : 1) * layer.projections_per_trial;
-    base::Array<Projection> projection(site.memory()); // up to `most` projections for each trial
     base::Array<ProjectionCounts> counts(site.memory(), trial.size());
-    projection.resize_for_overwrite(most * trial.size());
+    projection.resize_for_overwrite(most * trial.size()); // up to `most` projections for each trial
     site.work.for_chunks(trial.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
             if (times[i] > 0)
@@ -571,6 +571,7 @@ void draw_in_layer(const marks::Site& site, const ClassifiedCells& classified, d
     base::Array<std::int64_t> slot(site.memory()); // for each cell: where its trials begin in the batch; and the end
     geometry::VecArray trial(site.memory());
     base::Array<TrialTicket> ticket(site.memory());
+    base::Array<Projection> projection(site.memory());
     const marks::Site standing = site.without_progress();
     for (std::int64_t begin = 0, end = 0; begin < cells; begin = end) {
         slot.clear();
@@ -588,7 +589,7 @@ void draw_in_layer(const marks::Site& site, const ClassifiedCells& classified, d
         draw_trials(site, classified.cells, layer.trial_cell.span().subspan(batch, cells_of_batch),
                     layer.trial_share.span().subspan(batch, cells_of_batch), slot.span(), stream, trial, ticket);
         const std::int64_t first = layer.projection.size();
-        project_trials(standing, classified, trial, ticket, layer);
+        project_trials(standing, classified, trial, ticket, projection, layer);
         refine_projections(standing, classified, first, layer);
         layer.whole += whole_count(layer, first);
         site.work.update(static_cast<double>(end) / static_cast<double>(cells));

@@ -104,7 +104,8 @@ base::Array<float> needed_shares(const marks::Site& site, const SurfaceCells& ce
 }
 
 // A cell takes part in a stage if the stage begins with fewer marks than are needed in the cell of the stage or beside
-// it. The area of the surface is only estimated at this point, so the limit is a little lower than in the stage.
+// it. The cell is closed when it has these marks. The area of the surface is only estimated at this point, so cells
+// take part a little longer than in the stage.
 base::Array<float> candidate_shares(const base::Work& work, const SurfaceCells& cells, const base::Array<float>& share,
                                     const OrderStages& stages, double candidates, double least_share) {
     HRBFNPR_ASSERT(share.size() == cells.cell.size());
@@ -116,14 +117,19 @@ base::Array<float> candidate_shares(const base::Work& work, const SurfaceCells& 
         const std::int64_t begin = level == first ? 0 : stages.marks_at_end(level + 1);
         const auto limit = static_cast<float>(stipple_tuning.early_share * static_cast<double>(begin) /
                                               static_cast<double>(stages.wanted));
-        const auto taken =
-            static_cast<float>(OrderStages::candidates_of(stages.marks_at_end(level), candidates) / candidates);
-        if (!(static_cast<double>(taken) > least_share)) continue;
+        const std::int64_t end = stages.marks_at_end(level);
+        const auto share_for = [&](std::int64_t marks) {
+            return static_cast<float>(OrderStages::candidates_of(marks, candidates) / candidates);
+        };
+        if (!(double{share_for(end)} > least_share)) continue;
         const CellsOfLevel of_level = cells_of_level(code, share, level);
         const CellMap numbers(work.memory, of_level.code);
         const base::Array<float> largest = largest_around(work, of_level.code, numbers, of_level.share);
         for (const std::int64_t i : work.over(code.size())) {
-            if (largest[of_level.cell_of[i]] > limit) result[i] = std::max(result[i], taken);
+            const float most = largest[of_level.cell_of[i]];
+            if (!(most > limit)) continue;
+            const double needed = double{most} / stipple_tuning.early_share * static_cast<double>(stages.wanted);
+            result[i] = std::max(result[i], share_for(std::min(end, static_cast<std::int64_t>(needed))));
         }
     }
     return result;
