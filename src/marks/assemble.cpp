@@ -84,13 +84,21 @@ public:
                 sheet_.empty() ? nullptr : sheet_.data()};
     }
 
-    // Finds the marks in a box that is larger by the radius.
+    // Finds the marks in a box that is larger by the radius. Each mark is written, and kept if it is in the box,
+    // because branches would be mispredicted.
     void find_around(const geometry::Bounds& box, base::Array<std::int32_t>& found) const {
-        found.clear();
-        const geometry::Bounds larger = box.grown(radius_);
+        const glm::dvec3 centre = box.centre();
+        const glm::dvec3 half = 0.5 * box.size() + radius_;
+        found.resize_for_overwrite(std::max<std::int64_t>(found.size(), 1));
+        std::int64_t count = 0;
         grid_.around(box, [&](std::int64_t at) {
-            if (larger.contains(position_[at])) found.push_back(static_cast<std::int32_t>(at));
+            if (count == found.size()) found.resize(2 * count);
+            found[count] = static_cast<std::int32_t>(at);
+            const glm::dvec3 away = glm::abs(position_[at] - centre);
+            count += static_cast<std::int64_t>(away.x <= half.x) & static_cast<std::int64_t>(away.y <= half.y) &
+                     static_cast<std::int64_t>(away.z <= half.z);
         });
+        found.resize(count);
     }
 
 private:

@@ -345,8 +345,12 @@ float gap_around(const Layer& layer, const geometry::PointGrid& grid, const geom
     const glm::dvec3 across = glm::cross(n, along);
     std::array<double, most_lines> offset;
     std::size_t count = 0;
+    // Most marks are outside the strip. They are rejected without a division, by a slightly wider strip.
+    const double strip = 1.001 * marks_tuning.strip_half_width * layer.report.step;
     grid.around(own, [&](std::int64_t at) {
-        const glm::dvec3 way = (place[at] - own) / layer.report.step;
+        const glm::dvec3 from_own = place[at] - own;
+        if (!(std::abs(glm::dot(from_own, along)) < strip)) return;
+        const glm::dvec3 way = from_own / layer.report.step;
         const double u = glm::dot(way, across);
         // Comparisons are false for NaN, so a mark with NaN is not beside any mark.
         if (count < most_lines && std::abs(u) < marks_tuning.gap_reach &&
