@@ -230,9 +230,11 @@ EndPlan plan_end_of_picture(const EndFacts& facts, bool may_end) noexcept {
     const double off = off_of_fit(facts, plan_tuning.least_off);
     // The fit has already ended the surface at the border.
     if (facts.has_border) return {End::as_fitted, off};
-    // The sheets of a closed mesh bound each other, unless some surface is far from the mesh.
-    if (facts.has_creases && facts.closed && facts.surface_most <= off * facts.diagonal) return {End::nowhere, off};
-    // Surface far from a closed mesh is spurious, so the surface ends where the mesh ends.
+    // Without a border, only spurious surface can lie beyond the mesh, and the fit has found none that is far from it.
+    // The sheets of a mesh that is not closed do not bound each other.
+    const bool bounded = facts.closed || !facts.has_creases;
+    if (bounded && facts.surface_most <= off * facts.diagonal) return {End::nowhere, off};
+    // Surface far from the mesh is spurious, so the surface ends where the mesh ends.
     return {End::at_places, off};
 }
 
