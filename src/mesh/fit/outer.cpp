@@ -3,7 +3,9 @@
 // normal of one meets the other.
 #include "mesh/fit/outer.h"
 
+#include "base/assert.h"
 #include "base/status.h"
+#include "geometry/box_tree.h"
 #include "mesh/fit/tuning.h"
 
 #include <algorithm>
@@ -11,6 +13,8 @@
 
 namespace hrbfnpr::mesh {
 namespace {
+
+constexpr double rounding = 1e-9; // the error of places on rays, in diagonals
 
 [[nodiscard]] int winding_along(const FaceTree& tree, const glm::dvec3& place, const glm::dvec3& direction) noexcept {
     int winding = 0;
@@ -34,12 +38,48 @@ namespace {
            });
 }
 
+// The boxes of all components. Most faces of a large component are outside the boxes of all others, so they cannot meet
+// another component.
+class ComponentBoxes {
+public:
+    ComponentBoxes(const base::Work& work, const Mesh& mesh)
+        : box_(boxes_of(work.memory, mesh)),
+          tree_(work.without_progress(), box_.size(), [&](std::int64_t c) { return box_[c]; }) {}
+
+    // Returns whether the box of a component other than `own` overlaps a box.
+    [[nodiscard]] bool has_other(const geometry::Bounds& box, std::int32_t own) const noexcept {
+        const auto overlaps = [&](const geometry::Bounds& other) {
+            return glm::all(glm::lessThanEqual(box.min, other.max)) && glm::all(glm::lessThanEqual(other.min, box.max));
+        };
+        bool found = false;
+        tree_.visit([&](const geometry::Bounds& node) { return !found && overlaps(node); },
+                    [&](std::int64_t c) { found = found || (c != own && overlaps(box_[c])); });
+        return found;
+    }
+
+private:
+    [[nodiscard]] static base::Array<geometry::Bounds> boxes_of(base::Memory& memory, const Mesh& mesh) {
+        base::Array<geometry::Bounds> boxes(memory, mesh.report.components);
+        for (std::int64_t face = 0; face < mesh.faces(); ++face)
+            for (const glm::dvec3& corner : mesh.corners(face)) boxes[mesh.component[face]].extend(corner);
+        return boxes;
+    }
+
+    base::Array<geometry::Bounds> box_;
+    geometry::BoxTree tree_;
+};
+
 // Searches a short way along the normal of a place, and against it, for a face of another component. Returns the index
 // of that component, or -1. The cosine between the normals of the place and the face must be at least `alike`, or at
 // most -alike.
-[[nodiscard]] std::int32_t other_component(const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
-                                           std::int64_t i, double near, double alike) noexcept {
+[[nodiscard]] std::int32_t other_component(const Mesh& mesh, const FaceTree& tree, const ComponentBoxes& boxes,
+                                           const MeshSamples& places, std::int64_t i, double near,
+                                           double alike) noexcept {
     const std::int32_t own = mesh.component[places.face[i]];
+    if (!boxes.has_other(
+            geometry::Bounds{places.position[i], places.position[i]}.grown(near + rounding * mesh.bounds.diagonal()),
+            own))
+        return -1;
     for (const double side : {near, -near}) {
         const FaceTree::Hit hit = tree.first_hit(places.position[i], side * places.normal[i], 1e-3, 1.0);
         if (hit.face < 0 || mesh.component[hit.face] == own) continue;
@@ -51,10 +91,13 @@ namespace {
 
 // Searches along the edges of a face for the first crossing with a face of another component. Returns the index of that
 // component, or -1.
-[[nodiscard]] std::int32_t pierced_by(const Mesh& mesh, const FaceTree& tree, std::int64_t face,
-                                      glm::dvec3& place) noexcept {
+[[nodiscard]] std::int32_t pierced_by(const Mesh& mesh, const FaceTree& tree, const ComponentBoxes& boxes,
+                                      std::int64_t face, glm::dvec3& place) noexcept {
     constexpr double beyond = 1e-9;
     const std::array<glm::dvec3, 3> p = mesh.corners(face);
+    geometry::Bounds box;
+    for (const glm::dvec3& corner : p) box.extend(corner);
+    if (!boxes.has_other(box.grown(rounding * mesh.bounds.diagonal()), mesh.component[face])) return -1;
     for (std::size_t k = 0; k < 3; ++k) {
         const glm::dvec3 along = p[(k + 1) % 3] - p[k];
         FaceTree::Hit hit{0.0, face};
@@ -157,8 +200,10 @@ bool has_parts(const Mesh& mesh) noexcept { return mesh.report.components - mesh
 
 PartContact find_crossing(const base::Work& work, const Mesh& mesh, const FaceTree& tree) {
     if (!has_parts(mesh)) return {};
+    const ComponentBoxes boxes(work, mesh);
     return first_of(
-        work, mesh.faces(), [&](std::int64_t face, glm::dvec3& place) { return pierced_by(mesh, tree, face, place); },
+        work, mesh.faces(),
+        [&](std::int64_t face, glm::dvec3& place) { return pierced_by(mesh, tree, boxes, face, place); },
         [&](std::int64_t face) { return mesh.component[face]; });
 }
 
@@ -170,11 +215,12 @@ PartContact find_part_contact(const base::Work& work, const Mesh& mesh, const Fa
     if (!solids_apart) found = find_crossing(work, mesh, tree);
     if (found.one < 0) {
         const double alike = solids_apart ? mesh_fit_tuning.least_alike : 0.0;
+        const ComponentBoxes boxes(work, mesh);
         found = first_of(
             work, places.position.size(),
             [&](std::int64_t i, glm::dvec3& place) {
                 place = places.position[i];
-                return other_component(mesh, tree, places, i, near, alike);
+                return other_component(mesh, tree, boxes, places, i, near, alike);
             },
             [&](std::int64_t i) { return mesh.component[places.face[i]]; });
     }
