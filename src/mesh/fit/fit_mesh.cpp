@@ -43,6 +43,8 @@ constexpr double seconds_a_field = 0.01;
 constexpr double seconds_a_centre = 5e-5;
 constexpr double worth = 1.2;
 constexpr std::int64_t most_near = 1000;
+// A far field aims for this share of the allowed error, because its largest error may be twice its aim.
+constexpr double aimed_share = 0.25;
 constexpr double gradient_precision = 5e-2;
 
 bool pays(std::int64_t centres, std::int64_t places) noexcept {
@@ -69,13 +71,15 @@ private:
     const implicit::HrbfData& data_;
     FitData plain_;
     double precision_;
+    bool tried_ = false; // whether a far field was made, even if its errors are too large
     std::unique_ptr<implicit::Implicit> prepared_;
 };
 
 void FitField::prepare_for(const base::Work& work, std::int64_t places) {
-    if (prepared_ != nullptr || !pays(data_.count(), places)) return;
+    if (tried_ || !pays(data_.count(), places)) return;
+    tried_ = true;
     implicit::LocalFieldOptions options;
-    options.tolerance = precision_;
+    options.tolerance = aimed_share * precision_;
     options.most_near = most_near;
     std::unique_ptr<implicit::Prepared> prepared = implicit::Prepared::make(work, data_, options);
     if (prepared == nullptr) return;
