@@ -273,13 +273,14 @@ void set_tolerances(const base::Work& work, const PatchTolerance& tolerance, std
     geometry::VecArray crease(work.memory);
     for (std::int64_t i = 0; i < on_creases; ++i) crease.push_back(position[i]);
     const geometry::PointTree tree(crease, work);
+    const double ramp = std::min(tolerance.ramp, patch_tuning.ramp_share * result.samples.bounds.diagonal());
     work.for_chunks(position.size(), 512, [&](std::int64_t begin, std::int64_t end) {
         const auto any = [](std::int64_t) { return true; };
         for (std::int64_t i = begin; i < end; ++i) {
             std::int64_t found = 0;
-            const bool near_crease = tree.nearest(position[i], 1, any, any, &found) > 0;
-            const double share =
-                near_crease ? std::min(glm::distance(position[i], tree.points()[found]) / tolerance.ramp, 1.0) : 1.0;
+            double share = i < on_creases ? 0.0 : 1.0;
+            if (i >= on_creases && tree.nearest(position[i], 1, any, any, &found) > 0)
+                share = std::min(glm::distance(position[i], tree.points()[found]) / ramp, 1.0);
             double at_tip = 0.0;
             for (const glm::dvec3& tip : tips)
                 at_tip = std::max(at_tip, 1.0 - glm::distance(position[i], tip) / around_tip);

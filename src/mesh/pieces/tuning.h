@@ -127,6 +127,10 @@ struct PatchTuning {
     double around_tip = 3.0;
     double tip_tolerance = 4.0;
 
+    // The tolerance of places rises with the distance from creases over at most this share of the patch's diagonal.
+    // Larger: more centres in small patches.
+    double ramp_share = 0.1;
+
     // ---- Contacts
 
     // Two faces lie against each other if the cosine of their normals is at most this.
