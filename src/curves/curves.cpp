@@ -143,6 +143,24 @@ void SupportLevel::at_vertices(const base::Work& work, const SurfaceMesh& mesh, 
     for (double& value : level) value = std::isfinite(value) ? value - limit_ : unsupported;
 }
 
+// Support is a sum over the nearest samples, so it is not computed where the surface is known to continue.
+void SupportLevel::signs_at_vertices(const base::Work& work, const SurfaceMesh& mesh,
+                                     base::Array<double>& level) const {
+    SurfaceMesh some(work.memory); // the vertices at which the surface may end
+    base::Array<std::int64_t> which(work.memory);
+    level.resize_for_overwrite(mesh.vertices());
+    for (const std::int64_t i : work.over(mesh.vertices())) {
+        level[i] = -limit_;
+        if (support_.continues_at(mesh.position[i], limit_)) continue;
+        some.position.push_back(mesh.position[i]);
+        some.gradient.push_back(mesh.gradient[i]);
+        which.push_back(i);
+    }
+    base::Array<double> value(work.memory);
+    at_vertices(work, some, value);
+    for (std::int64_t k = 0; k < which.size(); ++k) level[which[k]] = value[k];
+}
+
 // ---- Points and curves
 
 // The step for g uses the part of grad g that is perpendicular to grad f. A formula with the matrix product J J^T would

@@ -70,6 +70,11 @@ public:
     virtual void evaluate(const implicit::PointBatch& points, const LevelBatch& out) const = 0;
     // Computes g at the vertices of a surface mesh from the gradients stored in the mesh. Resizes `level`.
     virtual void at_vertices(const base::Work& work, const SurfaceMesh& mesh, base::Array<double>& level) const = 0;
+    // Works like at_vertices(), but where g is certainly negative, the result may be any negative number. This is
+    // faster for some levels.
+    virtual void signs_at_vertices(const base::Work& work, const SurfaceMesh& mesh, base::Array<double>& level) const {
+        at_vertices(work, mesh, level);
+    }
 };
 
 // The function for the occluding contour: g = grad f . v, where v is the vector from the eye to the point.
@@ -97,6 +102,7 @@ public:
     [[nodiscard]] const implicit::Implicit& surface() const noexcept override { return surface_; }
     void evaluate(const implicit::PointBatch& points, const LevelBatch& out) const override;
     void at_vertices(const base::Work& work, const SurfaceMesh& mesh, base::Array<double>& level) const override;
+    void signs_at_vertices(const base::Work& work, const SurfaceMesh& mesh, base::Array<double>& level) const override;
 
 private:
     const implicit::Implicit& surface_;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 namespace hrbfnpr::curves {
@@ -60,13 +61,54 @@ void cut_at_middles(const base::Runtime& runtime, const base::Array<std::int32_t
     mesh.neighbour = find_neighbours(runtime, mesh.corner, mesh.vertices());
 }
 
-double area_of(const SurfaceMesh& mesh) noexcept {
-    double sum = 0.0;
-    for (std::int64_t t = 0; t < mesh.triangles(); ++t) {
+constexpr std::int64_t triangles_a_sum = 8192;
+
+// Returns the sum of of(t) over all triangles t. It is added up in the same order for any number of threads.
+template <class T, class Of>
+T sum_over_triangles(const base::Work& work, const SurfaceMesh& mesh, const Of& of) {
+    base::Array<T> sums(work.memory, (mesh.triangles() + triangles_a_sum - 1) / triangles_a_sum);
+    work.for_chunks(mesh.triangles(), triangles_a_sum, [&](std::int64_t begin, std::int64_t end) {
+        T sum{};
+        for (std::int64_t t = begin; t < end; ++t) sum += of(t);
+        sums[begin / triangles_a_sum] = sum;
+    });
+    return std::accumulate(sums.begin(), sums.end(), T{});
+}
+
+double area_of(const base::Work& work, const SurfaceMesh& mesh) {
+    return sum_over_triangles<double>(work, mesh, [&](std::int64_t t) {
         const std::array<glm::dvec3, 3> p = corners_of(mesh, t);
-        sum += 0.5 * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
+        return 0.5 * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
+    });
+}
+
+// Returns the edges where g changes its sign, in ascending order. `value` has at least the sign of g at each vertex,
+// and gets its value at the ends of these edges.
+base::Array<CutEdge> find_cut_edges(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
+                                    base::Array<double>& value) {
+    base::Array<CutEdge> edges(work.memory);
+    for (const std::int64_t e : work.over(mesh.corner.size())) {
+        const std::int32_t a = start_of(mesh, e);
+        const std::int32_t b = end_of(mesh, e);
+        const bool keeps_a = value[a] <= 0.0;
+        if (keeps_a != (value[b] <= 0.0)) edges.push_back(keeps_a ? CutEdge{a, b} : CutEdge{b, a});
     }
-    return sum;
+    std::sort(edges.begin(), edges.end());
+    edges.resize(std::unique(edges.begin(), edges.end()) - edges.begin());
+    base::Array<std::int32_t> ends(work.memory);
+    for (const CutEdge& edge : edges)
+        for (const std::int32_t vertex : {edge.kept, edge.lost}) ends.push_back(vertex);
+    std::sort(ends.begin(), ends.end());
+    ends.resize(std::unique(ends.begin(), ends.end()) - ends.begin());
+    SurfaceMesh only_ends(work.memory);
+    for (const std::int32_t vertex : ends) {
+        only_ends.position.push_back(mesh.position[vertex]);
+        only_ends.gradient.push_back(mesh.gradient[vertex]);
+    }
+    base::Array<double> exact(work.memory);
+    level.at_vertices(work, only_ends, exact);
+    for (std::int64_t i = 0; i < ends.size(); ++i) value[ends[i]] = exact[i];
+    return edges;
 }
 
 // Finds the zero of g on each edge by Newton's method, starting from linear interpolation. Where Newton's method fails,
@@ -169,8 +211,9 @@ bool halve_edges(const base::Work& work, const implicit::Implicit& implicit, con
 
 ClippedMesh clip(const base::Work& work, const Level& level, const SurfaceMesh& mesh) {
     base::Array<double> value(work.memory);
-    level.at_vertices(work, mesh, value);
+    level.signs_at_vertices(work, mesh, value);
     HRBFNPR_ASSERT(value.size() == mesh.vertices());
+    const base::Array<CutEdge> edges = find_cut_edges(work, level, mesh, value);
     const auto keeps = [&](std::int32_t vertex) { return value[vertex] <= 0.0; };
 
     ClippedMesh clipped(work.memory);
@@ -188,14 +231,6 @@ ClippedMesh clip(const base::Work& work, const Level& level, const SurfaceMesh& 
     }
     clipped.first_cut = to.vertices();
 
-    base::Array<CutEdge> edges(work.memory);
-    for (std::int64_t e = 0; e < mesh.corner.size(); ++e) {
-        const std::int32_t a = start_of(mesh, e);
-        const std::int32_t b = end_of(mesh, e);
-        if (keeps(a) != keeps(b)) edges.push_back(keeps(a) ? CutEdge{a, b} : CutEdge{b, a});
-    }
-    std::sort(edges.begin(), edges.end());
-    edges.resize(std::unique(edges.begin(), edges.end()) - edges.begin());
     clipped.cut = find_cut_points(work, level, mesh, value, edges);
     for (const CurvePoint& p : clipped.cut) {
         to.position.push_back(p.position);
@@ -214,7 +249,6 @@ ClippedMesh clip(const base::Work& work, const Level& level, const SurfaceMesh& 
         const int kept = static_cast<int>(keeps(v[0])) + static_cast<int>(keeps(v[1])) + static_cast<int>(keeps(v[2]));
         if (kept == 0) continue;
         if (kept == 3) {
-            to.turned += is_turned(mesh, t) ? 1 : 0;
             put(number[v[0]], number[v[1]], number[v[2]]);
             continue;
         }
@@ -231,8 +265,12 @@ ClippedMesh clip(const base::Work& work, const Level& level, const SurfaceMesh& 
         put(number[b], cut_of(c, a), cut_of(b, a));
     }
     to.neighbour = find_neighbours(work, to.corner, to.vertices());
-    const double before = area_of(mesh);
-    clipped.left_out = before > 0.0 ? std::max(0.0, 1.0 - area_of(to) / before) : 0.0;
+    to.turned = sum_over_triangles<std::int64_t>(work, mesh, [&](std::int64_t t) {
+        const std::int32_t* const v = mesh.corner.data() + 3 * t;
+        return keeps(v[0]) && keeps(v[1]) && keeps(v[2]) && is_turned(mesh, t) ? 1 : 0;
+    });
+    const double before = area_of(work, mesh);
+    clipped.left_out = before > 0.0 ? std::max(0.0, 1.0 - area_of(work, to) / before) : 0.0;
     return clipped;
 }
 

@@ -44,6 +44,10 @@ public:
     [[nodiscard]] bool may_end_at(const glm::dvec3& place) const noexcept {
         return !(limit_ > 0.0) || !kept_.contains(geometry::CellGrid::pack(grid_.cell_of(place)));
     }
+    // Returns whether s is certainly below `limit` at a place, whatever the samples are.
+    [[nodiscard]] bool continues_at(const glm::dvec3& place, double limit) const noexcept {
+        return limit_ > 0.0 && limit_ <= limit && !may_end_at(place);
+    }
     [[nodiscard]] bool has_kept() const noexcept { return limit_ > 0.0; }
     // Returns whether the surface may end in a cube, given by its centre and half its side.
     [[nodiscard]] bool may_end_near(const glm::dvec3& place, double half) const noexcept;
