@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -137,23 +138,45 @@ visibility::Subject& add_subject(const LineSource& source, const curves::Curves&
     return out.subjects.back();
 }
 
-// Returns the contours of an item, or of a part of it, in this view. If the eye has not moved since the last frame, the
-// last contours are used again.
-std::unique_ptr<Contours> find_contours(const base::Work& work, const curves::LineSet& lines, std::int64_t item,
-                                        std::int64_t part, const curves::ContourLevel& level, ContourList& all_last) {
+// The surface of an item, or the smooth part of it with the given index.
+struct SmoothPart {
+    const curves::LineSet& lines;
+    std::int64_t part;
+
+    [[nodiscard]] const implicit::Implicit& surface() const noexcept {
+        return lines.parts().empty() ? lines.surface() : lines.parts()[part]->surface;
+    }
+    [[nodiscard]] const curves::SurfaceMesh& mesh() const noexcept {
+        return lines.parts().empty() ? lines.mesh() : lines.parts()[part]->mesh;
+    }
+};
+
+// Moves the contours of a part out of the list of all contours of the last frame. Returns null if there are none.
+// `next` is the index at which the search begins, because the parts of a frame mostly have the order of the last one.
+std::unique_ptr<Contours> take_last(const SmoothPart& part, std::int64_t item, ContourList& all_last,
+                                    std::int64_t& next) {
+    for (std::int64_t k = 0; k < all_last.size(); ++k) {
+        const std::int64_t at = (next + k) % all_last.size();
+        std::unique_ptr<Contours>& known = all_last[at];
+        if (known == nullptr || known->item != item || known->part != part.part || known->set != part.lines.identity())
+            continue;
+        next = at + 1;
+        return std::move(known);
+    }
+    return nullptr;
+}
+
+// Returns the contours of a part in this view. `last` are its contours in the last frame, or null. If the eye has not
+// moved since then, they are used again.
+std::unique_ptr<Contours> find_contours(const base::Work& work, const SmoothPart& part, std::int64_t item,
+                                        const curves::ContourLevel& level, std::unique_ptr<Contours> last) {
     const curves::View& view = level.view();
-    HRBFNPR_ASSERT(part >= 0 && (part == 0 || part < lines.parts().size()));
-    std::unique_ptr<Contours> last;
-    for (std::unique_ptr<Contours>& known : all_last)
-        if (last == nullptr && known != nullptr && known->item == item && known->part == part &&
-            known->set == lines.identity())
-            last = std::move(known);
     if (last != nullptr && last->eye == view.eye) return last;
-    const curves::SurfaceMesh& mesh = lines.parts().empty() ? lines.mesh() : lines.parts()[part]->mesh;
+    const curves::SurfaceMesh& mesh = part.mesh();
     auto contours = std::make_unique<Contours>(work.memory);
-    contours->set = lines.identity();
+    contours->set = part.lines.identity();
     contours->item = item;
-    contours->part = part;
+    contours->part = part.part;
     contours->eye = view.eye;
     const auto trace = [&](const curves::Curves* near) {
         curves::TraceReport report;
@@ -176,18 +199,37 @@ std::unique_ptr<Contours> find_contours(const base::Work& work, const curves::Li
     return contours;
 }
 
-// Traces the contours of an item. On a sheet, contours end at the creases of the sheet.
+// Traces the contours of an item. On a sheet, contours end at the creases of the sheet. Large parts are traced one
+// after another, each by all threads. Small parts have too little work for that, and each is traced by one thread.
 void trace_contours(const base::Work& work, const LineSource& source, ContourList& last, TracedLines& out) {
     const curves::LineSet& lines = source.lines();
-    for (std::int64_t p = 0; p < std::max<std::int64_t>(1, lines.parts().size()); ++p) {
-        const implicit::Implicit& surface = lines.parts().empty() ? lines.surface() : lines.parts()[p]->surface;
-        const curves::ContourLevel& level =
-            *out.levels.add(std::make_unique<curves::ContourLevel>(surface, source.view));
-        const Contours& contours =
-            *out.contours.add(find_contours(work.without_progress(), lines, out.items[source.number], p, level, last));
+    const std::int64_t parts = std::max<std::int64_t>(1, lines.parts().size());
+    const std::int64_t first = out.contours.size();
+    const std::int64_t item = out.items[source.number];
+    HRBFNPR_ASSERT(out.levels.size() == first);
+    base::Array<std::int64_t> small(work.memory);
+    const auto trace = [&](const base::Work& with, std::int64_t p) {
+        std::unique_ptr<Contours>& contours = out.contours[first + p];
+        contours = find_contours(with, {lines, p}, item, *out.levels[first + p], std::move(contours));
+    };
+    std::int64_t next = 0;
+    for (std::int64_t p = 0; p < parts; ++p) {
+        out.levels.add(std::make_unique<curves::ContourLevel>(SmoothPart{lines, p}.surface(), source.view));
+        out.contours.add(take_last({lines, p}, item, last, next));
+        if (SmoothPart{lines, p}.mesh().triangles() < line_tuning.small_part)
+            small.push_back(p);
+        else
+            trace(work.without_progress(), p);
+    }
+    const base::Runtime one_thread(work, base::Parallel());
+    lines.surface().threads(work).for_each(small.size(), [&](std::int64_t i) {
+        trace({one_thread, work.without_progress()}, small[i]);
+    });
+    for (std::int64_t p = 0; p < parts; ++p) {
+        const Contours& contours = *out.contours[first + p];
         out.broken += contours.broken;
         visibility::Subject& subject = add_subject(source, contours.with_cusps, out);
-        subject.level = &level;
+        subject.level = out.levels[first + p].get();
         subject.joined = !lines.parts().empty();
     }
 }
@@ -382,30 +424,57 @@ const curves::CurvePoint& point_of(const base::Array<visibility::Subject>& subje
     return subjects[its.subject].curves->point[its.a];
 }
 
+bool is_before(const LineFamily& a, const LineFamily& b) noexcept {
+    if (a.set != b.set) return std::less<>()(a.set, b.set);
+    return std::tie(a.item, a.number) < std::tie(b.item, b.number);
+}
+
+// Returns for each subject the first line of the last frame that has the subject's family, or -1. The lines of a family
+// follow each other.
+base::Array<std::int64_t> first_known_lines(const KnownLines& last, const base::Array<LineFamily>& families) {
+    base::Array<std::int64_t> starts(families.memory()); // the first line of each family, sorted by the families
+    for (std::int64_t k = 0; k < last.line.size(); ++k)
+        if (k == 0 || !(last.line[k].family == last.line[k - 1].family)) starts.push_back(k);
+    const auto family = [&](std::int64_t k) -> const LineFamily& { return last.line[k].family; };
+    std::sort(starts.begin(), starts.end(),
+              [&](std::int64_t a, std::int64_t b) { return is_before(family(a), family(b)); });
+    base::Array<std::int64_t> first(families.memory());
+    for (const LineFamily& wanted : families) {
+        const std::int64_t* const at =
+            std::lower_bound(starts.begin(), starts.end(), wanted,
+                             [&](std::int64_t k, const LineFamily& f) { return is_before(family(k), f); });
+        first.push_back(at != starts.end() && family(*at) == wanted ? *at : -1);
+    }
+    return first;
+}
+
 base::Array<Vote> count_votes(const KnownLines& last, const base::Array<LineFamily>& families,
                               const base::Array<visibility::Subject>& subjects, const visibility::ImageLines& lines) {
     base::Memory& memory = families.memory();
     base::Array<Vote> votes(memory);
     base::Array<std::int64_t> of_line(memory, last.line.size());
+    const base::Array<std::int64_t> first_known = first_known_lines(last, families);
+    std::int64_t end = 0; // the end of the lines of this subject
     for (std::int64_t subject = 0; subject < subjects.size(); ++subject) {
+        const std::int64_t begin = end;
+        while (end < lines.lines.size() && lines.lines[end].subject == subject) ++end;
+        if (first_known[subject] < 0 || begin == end) continue;
         geometry::VecArray place(memory);
         geometry::VecArray direction(memory);
         base::Array<std::int64_t> owner(memory);
-        for (std::int64_t k = 0; k < last.line.size(); ++k) {
+        std::int64_t k = first_known[subject];
+        for (; k < last.line.size() && last.line[k].family == families[subject]; ++k) {
             const KnownLines::KnownLine& known = last.line[k];
-            if (!(known.family == families[subject])) continue;
             for (std::int64_t i = known.first; i < known.first + known.count; ++i) {
                 place.push_back(last.place[i]);
                 direction.push_back(last.direction[i]);
                 owner.push_back(k);
             }
         }
-        if (place.empty()) continue;
         const double radius = line_tuning.farthest_numbered_move * subjects[subject].side;
         const geometry::PointGrid grid(place, radius);
-        for (std::int64_t l = 0; l < lines.lines.size(); ++l) {
+        for (std::int64_t l = begin; l < end; ++l) {
             const visibility::Line& line = lines.lines[l];
-            if (line.subject != subject) continue;
             const std::int64_t step = std::max<std::int64_t>(1, line.pieces / line_tuning.most_points);
             for (std::int64_t p = 0; p < line.pieces; p += step) {
                 const curves::CurvePoint& point = point_of(subjects, lines, line.first_piece + p);
@@ -420,11 +489,12 @@ base::Array<Vote> count_votes(const KnownLines& last, const base::Array<LineFami
                 });
                 if (nearest >= 0) ++of_line[owner[nearest]];
             }
-            for (std::int64_t k = 0; k < last.line.size(); ++k)
-                if (const std::int64_t points = std::exchange(of_line[k], 0); points > 0)
-                    votes.push_back({l, k, points * step});
+            for (std::int64_t other = first_known[subject]; other < k; ++other)
+                if (const std::int64_t points = std::exchange(of_line[other], 0); points > 0)
+                    votes.push_back({l, other, points * step});
         }
     }
+    HRBFNPR_ASSERT(end == lines.lines.size()); // The lines of a subject follow each other, in the subjects' order.
     return votes;
 }
 

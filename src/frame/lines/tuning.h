@@ -2,6 +2,8 @@
 // The tuning constants of a drawing's lines. `scripts/bench lines` measures their effects.
 #pragma once
 
+#include <cstdint>
+
 namespace hrbfnpr::frame {
 
 struct LineTuning {
@@ -16,6 +18,9 @@ struct LineTuning {
     // The tolerance for tracing contours from the contours of the last frame, in mesh sides. The next frame starts from
     // the result. After a Newton step as long as this, the error is a millionth of a mesh side.
     double moved_tolerance = 1e-3;
+    // Parts with fewer triangles than this are traced by one thread each. Larger: more threads wait at the end for the
+    // last part.
+    std::int64_t small_part = 20'000;
     // The caller's own lines may be this deep inside the surface, in mesh sides. Larger: surface just before such lines
     // does not hide them.
     double caller_line_clearance = 1.0;
