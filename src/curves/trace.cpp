@@ -768,18 +768,31 @@ std::int64_t trace_on_finer_mesh(TraceState& state, const base::Array<Bracket>& 
         else
             *box = {glm::min(box->min, own.min), glm::max(box->max, own.max)};
     }
-    base::Array<EdgeCrossing> crossings(work.memory);
-    for (const geometry::Bounds& box : boxes) {
+    base::List<base::Array<EdgeCrossing>> found(work.memory); // the crossings in each box
+    for (std::int64_t b = 0; b < boxes.size(); ++b) found.add(work.memory);
+    const auto cross_in_box = [&](const base::Work& with, std::int64_t b) {
+        const geometry::Bounds& box = boxes[b];
         MeshSettings settings;
         settings.region = {glm::max(box.min, mesh.region.min), glm::min(box.max, mesh.region.max)};
         settings.side =
             std::max(mesh.side / curve_tuning.closer, glm::length(settings.region.size()) / curve_tuning.most_cells);
-        const SurfaceMesh part = triangulate(work, state.level.surface(), seeds, settings);
-        base::Array<double> at_vertices(work.memory);
-        state.level.at_vertices(work, part, at_vertices);
-        for (const EdgeCrossing& crossing : find_edge_crossings(work, part, at_vertices).point)
-            crossings.push_back(crossing);
-    }
+        const SurfaceMesh part = triangulate(with, state.level.surface(), seeds, settings);
+        base::Array<double> at_vertices(with.memory);
+        state.level.at_vertices(with, part, at_vertices);
+        for (const EdgeCrossing& crossing : find_edge_crossings(with, part, at_vertices).point)
+            found[b].push_back(crossing);
+    };
+    // The meshes of several boxes are small, so each is made by one thread.
+    const base::Runtime one_thread(work, base::Parallel());
+    if (boxes.size() == 1)
+        cross_in_box(work, 0);
+    else
+        state.level.surface().threads(work).for_each(boxes.size(), [&](std::int64_t b) {
+            cross_in_box({one_thread, work}, b);
+        });
+    base::Array<EdgeCrossing> crossings(work.memory);
+    for (const base::Array<EdgeCrossing>& some : found)
+        for (const EdgeCrossing& crossing : some) crossings.push_back(crossing);
     return add_curves_from(state, crossings).size();
 }
 
