@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "curves/surface_mesh.h"
 
+#include "curves/curves.h"
+#include "curves/mesh_edges.h"
 #include "mesh_checks.h"
 #include "shapes.h"
 #include "support/runtime.h"
@@ -154,6 +156,61 @@ TEST(SurfaceMesh, EndsJustBeyondItsSamples) {
     EXPECT_GT(supported, 500);
     EXPECT_LT(highest, -0.4);
     EXPECT_LT(3 * cap.triangles(), whole.triangles());
+}
+
+// The level of a support, with its exact value at every vertex.
+class ExactLevel final : public Level {
+public:
+    explicit ExactLevel(const SupportLevel& of) : of_(of) {}
+    [[nodiscard]] const implicit::Implicit& surface() const noexcept override { return of_.surface(); }
+    void evaluate(const implicit::PointBatch& points, const LevelBatch& out) const override {
+        of_.evaluate(points, out);
+    }
+    void at_vertices(const base::Work& work, const SurfaceMesh& mesh, base::Array<double>& level) const override {
+        of_.at_vertices(work, mesh, level);
+    }
+
+private:
+    const SupportLevel& of_;
+};
+
+TEST(SurfaceMesh, IsCutAsByExactSupportWhereSignsSuffice) {
+    const base::Runtime runtime = with_threads(2);
+    const Sphere sphere;
+    geometry::VecArray samples(runtime.memory);
+    for (double angle = 0.0; angle < 0.8; angle += 0.05) // around the south pole
+        for (double turn = 0.0; turn < 2 * pi; turn += 0.05 / std::max(0.05, std::sin(angle)))
+            samples.push_back({std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn), -std::cos(angle)});
+    const SurfaceMesh mesh = triangulate(runtime, sphere, samples, settings(sphere, 0.04));
+    surface::Support support(runtime, samples, samples, 0.0);
+    geometry::CellGrid grid;
+    grid.origin = glm::dvec3(-2.0);
+    grid.side = 0.2;
+    geometry::CellSet kept(runtime.memory), ends(runtime.memory);
+    for (std::int64_t i = 0; i < mesh.vertices(); ++i) { // the surface continues where x > 0
+        const auto cell = grid.cell_of(mesh.position[i]);
+        (grid.corner(cell).x > -1e-9 ? kept : ends).insert(geometry::CellGrid::pack(cell));
+    }
+    support.keep(grid, std::move(kept), std::move(ends), 3.0);
+    const SupportLevel level(sphere, support, 3.0);
+    base::Array<double> exact(runtime.memory), signs(runtime.memory);
+    level.at_vertices(runtime, mesh, exact);
+    level.signs_at_vertices(runtime, mesh, signs);
+    std::int64_t only_signs = 0;
+    for (std::int64_t i = 0; i < mesh.vertices(); ++i) {
+        ASSERT_EQ(exact[i] <= 0.0, signs[i] <= 0.0);
+        only_signs += exact[i] != signs[i] ? 1 : 0;
+    }
+    EXPECT_GT(3 * only_signs, mesh.vertices());
+    const ClippedMesh by_signs = clip(runtime, level, mesh);
+    const ClippedMesh by_values = clip(runtime, ExactLevel(level), mesh);
+    EXPECT_GT(by_signs.cut.size(), 20);
+    EXPECT_EQ(by_signs.left_out, by_values.left_out);
+    ASSERT_EQ(by_signs.mesh.vertices(), by_values.mesh.vertices());
+    for (std::int64_t i = 0; i < by_signs.mesh.vertices(); ++i)
+        ASSERT_EQ(by_signs.mesh.position[i], by_values.mesh.position[i]);
+    EXPECT_TRUE(std::equal(by_signs.mesh.corner.begin(), by_signs.mesh.corner.end(), by_values.mesh.corner.begin(),
+                           by_values.mesh.corner.end()));
 }
 
 TEST(SurfaceMesh, UsesWiderCellsToStayBelowTheTriangleLimit) {
