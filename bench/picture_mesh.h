@@ -120,12 +120,12 @@ private:
             }
         if (crossed == 0) return;
         vertices_[key(first + in_block)] = static_cast<std::int32_t>(mesh_.points.size());
-        mesh_.points.push_back(onto_surface(sum / static_cast<double>(crossed)));
+        mesh_.points.push_back(onto_surface(sum / static_cast<double>(crossed), corner(first + in_block)));
     }
 
-    // Moves a point along the gradient to the surface, by half a cell at most.
-    [[nodiscard]] glm::dvec3 onto_surface(const glm::dvec3& start) const {
-        glm::dvec3 p = start;
+    // Moves a point along the gradient to the surface, within the cell that begins at `low`. A margin keeps vertices of
+    // neighbouring cells apart.
+    [[nodiscard]] glm::dvec3 onto_surface(glm::dvec3 p, const glm::dvec3& low) const {
         for (int step = 0; step < 2; ++step) {
             const double h = 0.01 * cell_;
             glm::dvec3 gradient;
@@ -136,8 +136,7 @@ private:
             }
             p -= gradient * (field_.value(p) / std::max(glm::dot(gradient, gradient), 1e-12));
         }
-        const glm::dvec3 moved = p - start;
-        return start + moved * std::min(1.0, 0.5 * cell_ / std::max(glm::length(moved), 1e-12));
+        return glm::clamp(p, low + 0.05 * cell_, low + 0.95 * cell_);
     }
 
     void add_quad(const Crossing& crossing) {

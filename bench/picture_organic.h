@@ -16,10 +16,12 @@ struct Limb {
     glm::dvec3 from, to;
     double radius_from, radius_to;
 
-    [[nodiscard]] double distance(const glm::dvec3& p) const {
+    // Returns the distance of a place from the limb, and the radius of the limb there.
+    [[nodiscard]] glm::dvec2 distance_and_radius(const glm::dvec3& p) const {
         const glm::dvec3 along = to - from;
         const double t = std::clamp(glm::dot(p - from, along) / glm::dot(along, along), 0.0, 1.0);
-        return glm::distance(p, from + t * along) - glm::mix(radius_from, radius_to, t);
+        const double radius = glm::mix(radius_from, radius_to, t);
+        return {glm::distance(p, from + t * along) - radius, radius};
     }
 };
 
@@ -81,17 +83,20 @@ struct Limb {
 [[nodiscard]] inline PictureMesh organic(double faces) {
     const std::vector<detail::Limb> limbs = detail::creature();
     Field field;
-    field.value = [&limbs](const glm::dvec3& p) {
+    const double scales = faces < 20000.0 ? 0.0 : 0.009; // coarse faces could not follow them
+    field.value = [&limbs, scales](const glm::dvec3& p) {
         constexpr double blend = 0.06; // width over which limbs flow into each other
-        double distance = 1e9;
+        double distance = 1e9, radius = 0.0;
         for (const detail::Limb& limb : limbs) {
-            const double d = limb.distance(p);
-            const double h = std::max(0.0, blend - std::abs(d - distance)) / blend;
-            distance = std::min(d, distance) - 0.25 * h * h * blend;
+            const glm::dvec2 next = limb.distance_and_radius(p);
+            const double h = std::max(0.0, blend - std::abs(next.x - distance)) / blend;
+            radius = next.x < distance ? glm::mix(next.y, radius, 0.5 * h) : glm::mix(radius, next.y, 0.5 * h);
+            distance = std::min(next.x, distance) - 0.25 * h * h * blend;
         }
         if (std::abs(distance) > 0.2) return distance;
-        return distance + 0.025 * detail::bumps(p, 0.22) + 0.016 * detail::bumps(p, 0.1) +
-               0.009 * detail::bumps(p, 0.05);
+        const double height = std::min(1.0, radius / 0.15); // thin limbs have lower bumps
+        return distance + height * (0.025 * detail::bumps(p, 0.22) + 0.016 * detail::bumps(p, 0.1) +
+                                    scales * detail::bumps(p, 0.05));
     };
     field.steepness = 2.0;
     field.low = {-1.6, -1.0, -0.6};
