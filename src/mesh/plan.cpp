@@ -33,6 +33,12 @@ Facing plan_facing(const FacingFacts& facts, bool keeps_faces) {
 
 // ---- Edges that stand out
 
+namespace {
+
+constexpr double boundless = std::numeric_limits<double>::infinity();
+
+} // namespace
+
 CreaseEvidence judge_edges(const EdgeLengths& lengths, double diagonal) noexcept {
     // No edge bends by more than the crease angle.
     if (!(lengths.all > 0.0)) return {};
@@ -73,7 +79,6 @@ Sharpness plan_sharpness(double angle, double far) noexcept { return {angle, pla
 
 Sharpness plan_sharpness(const CreaseEvidence& part, const CreaseEvidence& whole, double angle, double far,
                          double tolerance) noexcept {
-    constexpr double boundless = std::numeric_limits<double>::infinity();
     // On a polyhedron all faces are flat, so even edges with small angles are sharp.
     if (part.polyhedron) return plan_sharpness(plan_tuning.flat_faces * angle, far);
     if (part.creases) return plan_sharpness(angle, far);
@@ -81,6 +86,12 @@ Sharpness plan_sharpness(const CreaseEvidence& part, const CreaseEvidence& whole
     // tolerance from a round surface.
     return {180.0, whole.standing >= plan_tuning.enough_standing ? tolerance : boundless};
 }
+
+bool is_crumbled(const Crumbs& crumbs, double area) noexcept {
+    return crumbs.count >= plan_tuning.fewest_crumbs && crumbs.area >= plan_tuning.mostly_crumbs * area;
+}
+
+Sharpness plan_crumbled() noexcept { return {180.0, boundless}; }
 
 // ---- Coarse faces
 

@@ -73,6 +73,17 @@ struct Sharpness {
 [[nodiscard]] Sharpness plan_sharpness(const CreaseEvidence& part, const CreaseEvidence& whole, double angle,
                                        double far, double tolerance) noexcept;
 
+// The crumbs of a component: small patches of a few faces that do not lie in a plane, and small single faces.
+struct Crumbs {
+    std::int64_t count = 0;
+    double area = 0.0;
+};
+// Returns whether a component stays smooth although it has edges: its faces are too coarse for its folds, so that its
+// edges cut it into crumbs.
+[[nodiscard]] bool is_crumbled(const Crumbs& crumbs, double area) noexcept;
+// Returns the limits for such a component: no edge is sharp.
+[[nodiscard]] Sharpness plan_crumbled() noexcept;
+
 // ---- Coarse faces
 
 // The statement of a file's normals about the edges that bend.

@@ -88,6 +88,11 @@ struct PlanTuning {
     // Larger: fewer of its edges are sharp.
     double flat_faces = 0.05;
 
+    // A component is smooth if its edges cut it into at least this many crumbs with at least this share of its area.
+    // Larger: more folds of scans are sharp, in much more time.
+    std::int64_t fewest_crumbs = 2000;
+    double mostly_crumbs = 0.5;
+
     // ---- Coarse faces
 
     // If fewer edges than this bend, the normals of a file say nothing about edges.

@@ -106,6 +106,26 @@ TEST(FaceTree, RayHitsMatchABruteForceSearch) {
     EXPECT_GT(several, 30) << "it tells little";
 }
 
+// The winding number of a place is that of another place, plus the faces between the two.
+TEST(FaceTree, WindingNumbersOfTwoPlacesDifferByTheFacesBetween) {
+    const mesh::Mesh ring =
+        made(runtime(), torus(24, 10, 0.3).with(torus(24, 10, 0.3).moved(1.0, 0.5, 0.2, 0.1)), mesh::Parts::all);
+    const mesh::FaceTree tree(runtime(), ring.vertex, ring.triangle);
+    const auto winding = [&](const glm::dvec3& from) {
+        int sum = 0;
+        tree.crossings(from, mesh::ray_directions[0], [&](std::int64_t, double, int sign) { sum += sign; });
+        return sum;
+    };
+    int changes[5] = {};
+    for (int i = 0; i < 2000; ++i) {
+        const glm::dvec3 one = place(i), other = place(i + 5000);
+        const int there = winding(one), here = winding(other);
+        ASSERT_EQ(there, here + tree.winding_beyond(one, other)) << i;
+        ++changes[there - here + 2];
+    }
+    for (const int count : changes) EXPECT_GT(count, 5) << "it tells little";
+}
+
 } // namespace
 
 } // namespace face_tree_test

@@ -354,4 +354,40 @@ Creases find_more_creases(const base::Work& work, const Mesh& mesh, const Crease
     return found_creases(work, mesh, of_patch, known.patch, known.edge, all);
 }
 
+base::Array<double> areas_of_components(const base::Work& work, const Mesh& mesh) {
+    base::Array<double> area(work.memory, 1 + *std::max_element(mesh.component.begin(), mesh.component.end()));
+    for (const std::int64_t face : work.over(mesh.faces()))
+        area[mesh.component[face]] += 0.5 * glm::length(doubled_area(mesh.corners(face)));
+    return area;
+}
+
+base::Array<Crumbs> find_crumbs(const base::Work& work, const Mesh& mesh, const Creases& creases) {
+    HRBFNPR_ASSERT(creases.patch.size() == mesh.faces());
+    const std::int64_t components = 1 + *std::max_element(mesh.component.begin(), mesh.component.end());
+    base::Array<geometry::Bounds> bounds(work.memory);
+    for (std::int64_t i = 0; i < components; ++i) bounds.push_back({});
+    for (const std::int64_t face : work.over(mesh.faces()))
+        for (const glm::dvec3& corner : mesh.corners(face)) bounds[mesh.component[face]].extend(corner);
+    const base::Groups faces(work.memory, creases.patches, [&](auto&& put) {
+        for (std::int32_t face = 0; face < mesh.faces(); ++face) put(creases.patch[face], face);
+    });
+    base::Array<Crumbs> crumbs(work.memory, components);
+    for (const std::int64_t patch : work.over(creases.patches)) {
+        const std::span<const std::int32_t> of_patch = faces[patch];
+        if (faces.count(patch) > crease_tuning.crumb_faces) continue;
+        const std::int32_t component = mesh.component[of_patch[0]];
+        const glm::dvec3 first = unit_normal(mesh, of_patch[0]);
+        double area = 0.0, cosine = 1.0;
+        for (const std::int32_t face : of_patch) {
+            area += 0.5 * glm::length(doubled_area(mesh.corners(face)));
+            cosine = std::min(cosine, glm::dot(first, unit_normal(mesh, face)));
+        }
+        const double across = crease_tuning.crumb_size * bounds[component].diagonal();
+        if (area >= across * across || (of_patch.size() > 1 && cosine >= crease_tuning.crumb_cosine)) continue;
+        ++crumbs[component].count;
+        crumbs[component].area += area;
+    }
+    return crumbs;
+}
+
 } // namespace hrbfnpr::mesh

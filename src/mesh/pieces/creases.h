@@ -44,5 +44,9 @@ struct Creases {
 // not 0.
 [[nodiscard]] Creases find_more_creases(const base::Work& work, const Mesh& mesh, const Creases& known,
                                         const base::Array<std::uint8_t>& within, double angle);
+// Returns the crumbs of each component.
+[[nodiscard]] base::Array<Crumbs> find_crumbs(const base::Work& work, const Mesh& mesh, const Creases& creases);
+// Returns the area of each component.
+[[nodiscard]] base::Array<double> areas_of_components(const base::Work& work, const Mesh& mesh);
 
 } // namespace hrbfnpr::mesh

@@ -22,7 +22,16 @@ Creases creases_that_are_meant(const base::Work& work, const Mesh& mesh, const C
     base::Array<Sharpness> sharpness(work.memory);
     for (const CreaseEvidence& part : found.part)
         sharpness.push_back(plan_sharpness(part, whole, settings.crease_angle, far, tolerance));
-    return find_creases(work, mesh, sharpness, found.sharp);
+    Creases creases = find_creases(work, mesh, sharpness, found.sharp);
+    const base::Array<Crumbs> crumbs = find_crumbs(work, mesh, creases);
+    const base::Array<double> area = areas_of_components(work, mesh);
+    bool crumbled = false;
+    for (std::int64_t i = 0; i < crumbs.size(); ++i) {
+        if (!is_crumbled(crumbs[i], area[i])) continue;
+        crumbled = true;
+        sharpness[i] = plan_crumbled();
+    }
+    return crumbled ? find_creases(work, mesh, sharpness, found.sharp) : std::move(creases);
 }
 
 void log_doubt(const base::Runtime& runtime, const PlannedCreases& found, double crease_angle) {
@@ -90,7 +99,10 @@ PlannedCreases find_planned_creases(const base::Work& work, const Mesh& mesh, co
     if (sharp == SharpEdges::none) return planned;
     Creases creases = sharp == SharpEdges::meant ? creases_that_are_meant(work, mesh, whole, settings, far, tolerance)
                                                  : find_creases(work, mesh, plan_sharpness(angle, far));
-    if (creases.patches >= 2) planned.creases = std::move(creases);
+    if (creases.patches >= 2)
+        planned.creases = std::move(creases);
+    else if (settings.edges == Edges::automatic)
+        planned.doubtful = whole.length;
     return planned;
 }
 

@@ -86,10 +86,9 @@ fit::Samples centres_of(base::Memory& memory, const implicit::HrbfData& data) {
         return next;
     };
     const std::int64_t first = patch.in_plane ? sheet_tuning.centres_in_plane : sheet_tuning.first_centres;
-    fit::AdaptiveFit made =
-        fit::fit_adaptively(work.without_progress(), options, samples,
-                            fit::even_choice(samples, std::min(first, most), work), smoothing,
-                            {sheet_tuning.most_rounds, 0.0, true}, std::ref(look));
+    fit::AdaptiveFit made = fit::fit_adaptively(work.without_progress(), options, samples,
+                                                fit::even_choice(samples, std::min(first, most), work), smoothing,
+                                                {sheet_tuning.most_rounds, 0.0, true}, std::ref(look));
     sheet.data = std::move(made.fit.result.data);
     sheet.report = made.fit.result.report;
     sheet.report.input_distance_max = input_distance_max;

@@ -49,6 +49,12 @@ struct CreaseTuning {
     // diagonals. Larger: fewer tiny sheets.
     std::int64_t scrap_faces = 10;
     double scrap_size = 0.002;
+    // A patch is a crumb if it has at most this many faces, its area is less than the square of `crumb_size` diagonals
+    // of its component, and the cosine between two of its normals is below `crumb_cosine`. A single small face is a
+    // crumb, too. Larger: more patches are crumbs.
+    std::int64_t crumb_faces = 10;
+    double crumb_size = 0.03;
+    double crumb_cosine = 0.99985;
     // At a smooth cut, each sheet is also fitted to faces beyond the cut. Their distance from the cut is at most this
     // many diagonals, and at most `band_share` times their distance from the nearest crease. Larger: the sheets agree
     // better at the cut, and have more centres.
@@ -63,8 +69,8 @@ inline constexpr CreaseTuning crease_tuning;
 // The constants of the fit of one sheet. Set by scripts/bench edges. Most sheets there are planes, parts of cylinders
 // and fillets, which need few centres and short rounds.
 struct SheetTuning {
-    // The number of evenly spread samples that a fit begins with: for patches in a plane, and for others. Larger: slower
-    // fits and evaluations.
+    // The number of evenly spread samples that a fit begins with: for patches in a plane, and for others. Larger:
+    // slower fits and evaluations.
     std::int64_t centres_in_plane = 3;
     std::int64_t first_centres = 8;
     std::int32_t most_rounds = 12;

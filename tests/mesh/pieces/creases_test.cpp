@@ -196,6 +196,25 @@ TEST(Creases, AreIgnoredOnTinyFaces) {
     }
 }
 
+// A ball whose faces are roughened has a small patch of one or few faces nearly everywhere. Those of a box are flat.
+TEST(Creases, CutARoughBallIntoCrumbs) {
+    const Found both(test::box(1.0, 1.0, 1.0, 4).with(roughened(test::icosphere(4), 0.1).moved(1.0, 4.0, 0.0, 0.0)));
+    const auto crumbs = mesh::find_crumbs(both.runtime, both.shape, both.creases);
+    const auto area = mesh::areas_of_components(both.runtime, both.shape);
+    ASSERT_EQ(crumbs.size(), 2);
+    EXPECT_EQ(crumbs[0].count, 0);
+    EXPECT_NEAR(area[0], 6.0, 1e-9);
+    EXPECT_NEAR(area[0] + area[1], both.shape.report.area, 1e-9);
+    std::int64_t small = 0; // patches of at most ten faces
+    for (std::int32_t patch = 6; patch < both.creases.patches; ++patch)
+        small += std::count(both.creases.patch.begin(), both.creases.patch.end(), patch) <= 10 ? 1 : 0;
+    EXPECT_GT(small, 100);
+    EXPECT_GE(crumbs[1].count, small / 2);
+    EXPECT_LE(crumbs[1].count, small);
+    EXPECT_GT(crumbs[1].area, 0.0);
+    EXPECT_LT(crumbs[1].area, area[1]);
+}
+
 // A box and a rough ball: the box has creases.
 TEST(Creases, ExistIfOnePartHasEnoughOfThem) {
     const Triangles rough = roughened(test::icosphere(4), 0.025);

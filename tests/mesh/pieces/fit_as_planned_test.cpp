@@ -3,9 +3,12 @@
 
 #include "mesh/meshes.h"
 #include "support/runtime.h"
+#include "support/sharp_meshes.h"
 #include "support/verdict_shapes.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace fit_as_planned_test {
 
@@ -44,6 +47,32 @@ struct Planned {
     mesh::FaceTree tree;
     mesh::CreaseEvidence known;
 };
+
+// A square with `cells` tiles along each side. Each tile has eight faces that are not quite in a plane, and bends at
+// its sides by about 60 degrees.
+Triangles folded(int cells) {
+    const double period = 4.0 / cells;
+    return test::height_field(2 * cells, [=](double x, double y) {
+        const auto zigzag = [=](double t) { return std::abs(t / period - std::round(t / period)); };
+        const double uneven = 0.02 * std::sin(300.0 * x) * std::sin(500.0 * y);
+        return period * (0.7 * (zigzag(x) + zigzag(y)) + uneven);
+    });
+}
+
+TEST(FitAsPlanned, FoldsAsNarrowAsFacesAreSmooth) {
+    const Planned fine(folded(60));
+    EXPECT_TRUE(fine.known.creases);
+    const mesh::PlannedCreases plan = fine.creases(mesh::Edges::automatic);
+    EXPECT_FALSE(plan.creases);
+    EXPECT_GT(plan.doubtful, 10.0);
+    const mesh::PlannedCreases asked = fine.creases(mesh::Edges::sharp);
+    ASSERT_TRUE(asked.creases);
+    EXPECT_EQ(asked.creases->patches, 60 * 60);
+    const Planned coarse(folded(30));
+    const mesh::PlannedCreases few = coarse.creases(mesh::Edges::automatic);
+    ASSERT_TRUE(few.creases); // a fit of few sheets takes little time
+    EXPECT_EQ(few.creases->patches, 30 * 30);
+}
 
 TEST(FitAsPlanned, ABallHasNoCreasesAndABoxHas) {
     const Planned ball(test::icosphere(3));
