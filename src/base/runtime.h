@@ -29,7 +29,8 @@ public:
     Runtime(const Runtime& host, Parallel threads) noexcept
         : memory(host.memory), parallel(std::move(threads)), instruction_set(host.instruction_set), log_(host.log_),
           log_user_(host.log_user_), least_level_(host.least_level_) {}
-    // Returns the runtime of a task that runs beside others: the memory of `host`, the calling thread alone, and no log.
+    // Returns the runtime of a task that runs beside others: the memory of `host`, the calling thread alone, and no
+    // log.
     [[nodiscard]] static Runtime for_task(const Runtime& host) noexcept { return {host.memory, host.instruction_set}; }
     Runtime(const Runtime&) = delete;
     Runtime& operator=(const Runtime&) = delete;

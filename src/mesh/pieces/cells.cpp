@@ -96,7 +96,8 @@ public:
     // The same for a place from which the mesh is `free` away. Such a place is on the side of the last such place if no
     // face can be between the two.
     [[nodiscard]] bool contains(const glm::dvec3& place, double free) noexcept {
-        if (!(glm::distance(place, last_) < 0.99 * std::max(free, last_free_))) last_inside_ = contains_free(place, free);
+        if (!(glm::distance(place, last_) < 0.99 * std::max(free, last_free_)))
+            last_inside_ = contains_free(place, free);
         last_ = place;
         last_free_ = free;
         return last_inside_;
@@ -150,9 +151,10 @@ public:
         const FaceTree::Hit hit = tree_.first_hit(place, 2.0 * most * along, 1e-6, 1.0);
         return hit.face < 0 ? most : 0.9 * hit.t * most;
     }
-    // Returns whether a place of a box is on the outer surface of the mesh, not on a face inside another part. It is the
-    // place of the mesh that is nearest to `from`.
-    [[nodiscard]] bool is_outer(const NearestPlace& nearest, const glm::dvec3& from, const InsideOfBox& box) const noexcept {
+    // Returns whether a place of a box is on the outer surface of the mesh, not on a face inside another part. It is
+    // the place of the mesh that is nearest to `from`.
+    [[nodiscard]] bool is_outer(const NearestPlace& nearest, const glm::dvec3& from,
+                                const InsideOfBox& box) const noexcept {
         if (!by_rays_) return true;
         const glm::dvec3 off = off_ * normal_[nearest.face];
         const double along = glm::dot(from - nearest.place, normal_[nearest.face]);
@@ -169,8 +171,8 @@ public:
     [[nodiscard]] const glm::dvec3& normal(std::int64_t face) const noexcept { return normal_[face]; }
 
 private:
-    // `limit` is a squared distance within which there is a face. Calls by_rays(free) if the normal does not decide. The
-    // place is `free` away from the mesh.
+    // `limit` is a squared distance within which there is a face. Calls by_rays(free) if the normal does not decide.
+    // The place is `free` away from the mesh.
     template <class ByRays>
     [[nodiscard]] NearestPlace nearest_place(const glm::dvec3& place, double limit, ByRays&& by_rays) const noexcept {
         const FaceTree::Nearest nearest = tree_.nearest(place, limit);
@@ -178,8 +180,8 @@ private:
         const glm::dvec3 normal = pseudo_normal(nearest.face, nearest.place, result.inner);
         const Triangle& t = mesh_.triangle[nearest.face];
         const bool is_folded = folded_[t[0]] != 0 || folded_[t[1]] != 0 || folded_[t[2]] != 0;
-        const bool inside =
-            by_rays_ || (solid_ && is_folded) ? by_rays(result.distance) : glm::dot(place - nearest.place, normal) < 0.0;
+        const bool inside = by_rays_ || (solid_ && is_folded) ? by_rays(result.distance)
+                                                              : glm::dot(place - nearest.place, normal) < 0.0;
         if (inside) result.distance = -result.distance;
         return result;
     }
@@ -357,8 +359,8 @@ struct TreeTests {
     base::Array<std::int32_t> own; // for each place on the surface: the index of the sheet that f should equal; else -1
 };
 
-// Adds two kinds of tests for the place on the mesh that is nearest to `from`. On the mesh, f should equal the sheet of the patch. Beside the mesh, on either side, f
-// should have the sign of that side.
+// Adds two kinds of tests for the place on the mesh that is nearest to `from`. On the mesh, f should equal the sheet of
+// the patch. Beside the mesh, on either side, f should have the sign of that side.
 void test_on_surface(const CellTask& task, const CellBox& box, const InsideOfBox& inside,
                      std::span<const std::int32_t> sheets, const NearestPlace& nearest, const glm::dvec3& from,
                      double step, TreeTests& tests) {

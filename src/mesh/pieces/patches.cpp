@@ -257,7 +257,9 @@ private:
     return std::all_of(faces.begin(), faces.end(), [&](std::int32_t face) {
         const auto p = mesh.corners(face);
         const glm::dvec3* const n = normals.normal.data() + 3 * std::int64_t{face};
-        const auto is_off = [&](const glm::dvec3& corner) { return !(std::abs(glm::dot(corner - place, normal)) <= off); };
+        const auto is_off = [&](const glm::dvec3& corner) {
+            return !(std::abs(glm::dot(corner - place, normal)) <= off);
+        };
         return std::none_of(p.begin(), p.end(), is_off) &&
                std::max({bulge(p[1] - p[0], n[0], normal), bulge(p[1] - p[0], n[1], normal),
                          bulge(p[2] - p[0], n[0], normal), bulge(p[2] - p[0], n[2], normal),
@@ -365,10 +367,9 @@ PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Crease
     for (const std::int32_t face : faces) area += 0.5 * glm::length(doubled_area(mesh.corners(face)));
     PatchSamples result(work.memory);
     result.in_plane = lie_in_plane(mesh, normals, faces, patch_tuning.in_plane * tolerance.crease);
-    const double wanted =
-        result.in_plane
-            ? patch_tuning.places_in_plane
-            : std::min(patch_tuning.wanted_places, patch_tuning.places_a_face * static_cast<double>(faces.size()));
+    const double wanted = result.in_plane ? patch_tuning.places_in_plane
+                                          : std::min(patch_tuning.wanted_places,
+                                                     patch_tuning.places_a_face * static_cast<double>(faces.size()));
     const double spacing = std::max(std::sqrt(area / wanted), 1e-4 * diagonal);
     const auto grid_of = [&](double side) {
         return geometry::CellGrid{mesh.bounds.min - spacing, std::max(side * spacing, 1e-5 * diagonal)};
