@@ -255,8 +255,11 @@ public:
                       site.unit);
         needs_.reserve(static_cast<std::size_t>(growing.size()));
         for (GrowingLayer& layer : growing) {
-            const bool is_whole = layer.settings.part[0].begin == 0.0 && layer.settings.part[0].end == 1.0;
-            if (!is_whole) continue; // The ranks of a part of the tones do not tell which marks are the first.
+            const marks::TonePart& part = layer.settings.part[0];
+            // The share of the order that a tone shows is at most the share for the whole range of tones, if the range
+            // of the layer ends at the darkest tone. If it ends before, all marks are placed.
+            const bool is_bounded = part.end == 1.0 && (part.begin == 0.0 || !layer.settings.has_strokes());
+            if (!is_bounded) continue;
             needs_.emplace_back(*view_, need_of(layer, growing, area));
             layer.site.need = &needs_.back();
         }
@@ -380,6 +383,7 @@ void assemble_layers(const marks::Site& site, base::List<GrowingLayer>& growing,
         settings.with_curvature = !layer.marks.curvature.empty() || layer.settings.with_curvature;
         settings.part = layer.settings.part;
         to.whole = layer.marks.whole;
+        to.tone_begin = settings.part[0].begin;
         if (to.whole > 0) to.report.full_count = to.whole;
         marks::assemble(layer.site.part(0.95, 1.0), layer.marks, settings, set.origin, to);
         layer.marks = marks::Marks(site.memory()); // free the memory of the marks in double precision

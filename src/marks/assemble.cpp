@@ -457,6 +457,7 @@ void copy(const Layer& from, Layer& to) {
     to.name = from.name;
     to.progressive = from.progressive;
     to.whole = from.whole;
+    to.tone_begin = from.tone_begin;
     copy_arrays(from, to, &Layer::position, &Layer::normal, &Layer::direction, &Layer::curvature, &Layer::rank,
                 &Layer::level, &Layer::stroke, &Layer::width, &Layer::tone_normal, &Layer::stroke_first,
                 &Layer::stroke_order);

@@ -211,6 +211,7 @@ struct Layer {
     // The number of marks that the whole surface would have, if only those that one camera needs were placed. 0: all
     // were placed.
     std::int64_t whole = 0;
+    double tone_begin = 0.0; // If marks are missing: the darkness at which the first mark is shown.
 
     [[nodiscard]] std::int64_t count() const noexcept { return rank.size(); }
     // Returns the number of marks on the whole surface. The tone follows from this number.

@@ -269,7 +269,8 @@ struct VisibleCluster {
     if (!(pixels < 1.0F)) return visible.cluster.count;
     // The first marks of a cluster are spread as evenly as the first marks of the layer. If marks that a still picture
     // does not need are missing, the ranks tell which are the first.
-    if (run.marks->whole > 0) return count_shown(visible, pixels * pixels);
+    const auto begin = static_cast<float>(run.marks->tone_begin);
+    if (run.marks->whole > 0) return count_shown(visible, begin + (1.0F - begin) * pixels * pixels);
     return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(visible.cluster.count)));
 }
 
