@@ -79,7 +79,9 @@ double StillNeed::share(const glm::dvec3& place, const glm::dvec3& normal, doubl
 // The first marks of an order are splats, until they have the distance that splats need.
 float StillNeed::share_of_splats(const ClusterView& at, float spacing) const noexcept {
     if (layer_.kind != marks::Kind::stipples || view_.item.style.hidden_lines == HiddenLines::show) return 1.0F;
-    const float pixels = spacing * view_.sight.scale * at.pixels_per_unit / scene_tuning.contour_splat_spacing;
+    const bool is_near_contour = at.nu_min < scene_tuning.still_rim_nu && at.nu_max > -scene_tuning.still_rim_nu;
+    const float least = is_near_contour ? scene_tuning.contour_splat_spacing : scene_tuning.splat_spacing;
+    const float pixels = spacing * view_.sight.scale * at.pixels_per_unit / least;
     return pixels * pixels;
 }
 
