@@ -55,6 +55,7 @@ public:
             for (int b = 0; a + b <= degree_; ++b)
                 for (int c = 0; a + b + c <= degree_; ++c) {
                     const double half = 0.5 * factor * *in++;
+                    if (half == 0.0) continue; // seven of eight terms are 0, because a polynomial has a parity
                     std::array<int, 3> up{a, b, c};
                     std::array<int, 3> down = up;
                     ++up[static_cast<std::size_t>(axis)];
