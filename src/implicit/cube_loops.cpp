@@ -188,36 +188,75 @@ void moments(int degree, const CubeSamples& samples, const double* alpha, const 
     }
 }
 
-HWY_INLINE void add_field(int degree, const double* terms, const Sample& s, V* field) {
+// A polynomial and its gradient at n vectors of samples.
+template <size_t n>
+struct Field {
+    V value[n], x[n], y[n], z[n];
+};
+
+// Sums over c first, then over b, then over a. Several vectors of samples share the terms, and their sums do not wait
+// for each other.
+template <size_t n>
+HWY_INLINE void add_field(int degree, const double* terms, const Sample* s, Field<n>& field) {
     const D d;
-    for (int a = 0; a <= degree; ++a)
+    for (int a = 0; a <= degree; ++a) {
+        V flat[n], along_y[n], along_z[n];
+        for (size_t v = 0; v < n; ++v) flat[v] = along_y[v] = along_z[v] = hn::Zero(d);
         for (int b = 0; a + b <= degree; ++b) {
-            V flat = hn::Zero(d);
-            V steep = hn::Zero(d);
+            V row[n], steep[n];
+            for (size_t v = 0; v < n; ++v) row[v] = steep[v] = hn::Zero(d);
             for (int c = 0; a + b + c <= degree; ++c, ++terms) {
-                flat = hn::MulAdd(hn::Set(d, *terms), s.z.t[c], flat);
-                steep = hn::MulAdd(hn::Set(d, *terms), s.z.dt[c], steep);
+                const V term = hn::Set(d, *terms);
+                for (size_t v = 0; v < n; ++v) {
+                    row[v] = hn::MulAdd(term, s[v].z.t[c], row[v]);
+                    steep[v] = hn::MulAdd(term, s[v].z.dt[c], steep[v]);
+                }
             }
-            const V both = hn::Mul(s.x.t[a], s.y.t[b]);
-            field[0] = hn::MulAdd(both, flat, field[0]);
-            field[1] = hn::MulAdd(hn::Mul(s.x.dt[a], s.y.t[b]), flat, field[1]);
-            field[2] = hn::MulAdd(hn::Mul(s.x.t[a], s.y.dt[b]), flat, field[2]);
-            field[3] = hn::MulAdd(both, steep, field[3]);
+            for (size_t v = 0; v < n; ++v) {
+                flat[v] = hn::MulAdd(s[v].y.t[b], row[v], flat[v]);
+                along_y[v] = hn::MulAdd(s[v].y.dt[b], row[v], along_y[v]);
+                along_z[v] = hn::MulAdd(s[v].y.t[b], steep[v], along_z[v]);
+            }
         }
+        for (size_t v = 0; v < n; ++v) {
+            field.value[v] = hn::MulAdd(s[v].x.t[a], flat[v], field.value[v]);
+            field.x[v] = hn::MulAdd(s[v].x.dt[a], flat[v], field.x[v]);
+            field.y[v] = hn::MulAdd(s[v].x.t[a], along_y[v], field.y[v]);
+            field.z[v] = hn::MulAdd(s[v].x.t[a], along_z[v], field.z[v]);
+        }
+    }
+}
+
+template <size_t n>
+HWY_INLINE void evaluate_some(int degree, const double* terms, const CubeSamples& samples, std::int64_t at,
+                              double* value, double* const* gradient) {
+    const D d;
+    Sample sample[n];
+    Field<n> field;
+    for (size_t v = 0; v < n; ++v, at += lanes()) {
+        const auto mask = lanes_left(samples.count - at);
+        sample[v].load(degree, samples, at, mask);
+        field.value[v] = hn::MaskedLoad(mask, d, value + at);
+        field.x[v] = hn::MaskedLoad(mask, d, gradient[0] + at);
+        field.y[v] = hn::MaskedLoad(mask, d, gradient[1] + at);
+        field.z[v] = hn::MaskedLoad(mask, d, gradient[2] + at);
+    }
+    add_field<n>(degree, terms, sample, field);
+    for (size_t v = n; v-- > 0;) {
+        at -= lanes();
+        const auto mask = lanes_left(samples.count - at);
+        hn::BlendedStore(field.value[v], mask, d, value + at);
+        hn::BlendedStore(field.x[v], mask, d, gradient[0] + at);
+        hn::BlendedStore(field.y[v], mask, d, gradient[1] + at);
+        hn::BlendedStore(field.z[v], mask, d, gradient[2] + at);
+    }
 }
 
 void evaluate(int degree, const double* terms, const CubeSamples& samples, double* value, double* const* gradient) {
-    const D d;
-    Sample sample;
-    double* const to[4] = {value, gradient[0], gradient[1], gradient[2]};
-    for (std::int64_t at = 0; at < samples.count; at += lanes()) {
-        const auto mask = lanes_left(samples.count - at);
-        sample.load(degree, samples, at, mask);
-        V field[4];
-        for (int k = 0; k < 4; ++k) field[k] = hn::MaskedLoad(mask, d, to[k] + at);
-        add_field(degree, terms, sample, field);
-        for (int k = 0; k < 4; ++k) hn::BlendedStore(field[k], mask, d, to[k] + at);
-    }
+    std::int64_t at = 0;
+    for (; at + lanes() < samples.count; at += 2 * lanes())
+        evaluate_some<2>(degree, terms, samples, at, value, gradient);
+    if (at < samples.count) evaluate_some<1>(degree, terms, samples, at, value, gradient);
 }
 
 // The second derivatives of the T_k in a Chebyshev.
