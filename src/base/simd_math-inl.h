@@ -69,6 +69,27 @@ HWY_INLINE V finish_inverse_root(V x, [[maybe_unused]] V rough) {
 
 HWY_INLINE V inverse_root(V x) { return finish_inverse_root(x, rough_inverse_root(x)); }
 
+// sqrt(x) for the same x, to two units in the last place. The series is that of polish_inverse_root() or
+// polish_rough_inverse_root(), times x.
+HWY_INLINE V root(V x) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2
+    const D d;
+    const V rough = rough_inverse_root(x);
+    const V y = hn::Mul(x, rough);
+    const V e = hn::NegMulAdd(y, rough, hn::Set(d, 1.0));
+#if HWY_TARGET == HWY_AVX3
+    V p = hn::MulAdd(e, hn::Set(d, 0.3125), hn::Set(d, 0.375));
+#else
+    V p = hn::MulAdd(e, hn::Set(d, 0.2734375), hn::Set(d, 0.3125));
+    p = hn::MulAdd(e, p, hn::Set(d, 0.375));
+#endif
+    p = hn::MulAdd(e, p, hn::Set(d, 0.5));
+    return hn::MulAdd(hn::Mul(y, e), p, y);
+#else
+    return hn::Sqrt(x);
+#endif
+}
+
 } // namespace hrbfnpr::base::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

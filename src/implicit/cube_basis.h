@@ -42,11 +42,6 @@ public:
     // The transpose of to_coefficients(), with stride() numbers per column.
     [[nodiscard]] const base::Array<double>& to_coefficients_transposed() const noexcept { return transposed_; }
 
-    void forget_matrices() noexcept {
-        to_coefficients_.release();
-        transposed_.release();
-    }
-
     // Writes all terms T_a(x) T_b(y) T_c(z) at a point, in the order of a, then b, then c.
     static void evaluate(int degree, const glm::dvec3& p, double* terms) noexcept;
     // Returns the matrix that maps values at the nodes of this basis to values at `count` points. It is column-major

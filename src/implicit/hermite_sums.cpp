@@ -138,54 +138,7 @@ void add_sums(double radius, const Sources& sources, const Targets& targets) {
         add_part(kernel, sources, targets, at, targets.count - at < lanes ? targets.count - at : lanes);
 }
 
-struct ValueSum {
-    V value;
-
-    static HWY_INLINE ValueSum zero() { return {hn::Zero(D())}; }
-};
-
-// Like Triharmonic, but for values only.
-struct TriharmonicValue : InverseRoot {
-    HWY_INLINE void add(V r2, V inverse, V dx, V dy, V dz, const Weights& w, ValueSum& sum) const {
-        const V s = hn::MulAdd(dz, w.z, hn::MulAdd(dy, w.y, hn::Mul(dx, w.x)));
-        sum.value =
-            hn::MulAdd(hn::Mul(r2, inverse), hn::NegMulAdd(s, hn::Set(D(), 3.0), hn::Mul(r2, w.alpha)), sum.value);
-    }
-};
-
-// Replaces `unroll` where only values are computed, because they need fewer registers.
-constexpr int values_unroll = 2;
-
-void add_values(const Sources& sources, const double* x, const double* y, const double* z, double* value,
-                std::int64_t count) {
-    const D d;
-    const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
-    std::int64_t at = 0;
-    for (; at + values_unroll * lanes <= count; at += values_unroll * lanes) {
-        V px[values_unroll], py[values_unroll], pz[values_unroll];
-        ValueSum sum[values_unroll];
-        for (int u = 0; u < values_unroll; ++u) {
-            px[u] = hn::LoadU(d, x + at + u * lanes);
-            py[u] = hn::LoadU(d, y + at + u * lanes);
-            pz[u] = hn::LoadU(d, z + at + u * lanes);
-        }
-        sum_up<values_unroll, Weights>(TriharmonicValue(), sources, px, py, pz, sum);
-        for (int u = 0; u < values_unroll; ++u) add_to(value + at + u * lanes, sum[u].value);
-    }
-    for (; at < count; at += lanes) {
-        const auto mask = hn::FirstN(d, static_cast<size_t>(count - at < lanes ? count - at : lanes));
-        const V px = hn::MaskedLoad(mask, d, x + at);
-        const V py = hn::MaskedLoad(mask, d, y + at);
-        const V pz = hn::MaskedLoad(mask, d, z + at);
-        ValueSum sum;
-        sum_up<1, Weights>(TriharmonicValue(), sources, &px, &py, &pz, &sum);
-        add_some(value + at, sum.value, mask);
-    }
-}
-
 } // namespace
-
-AddTriharmonicValues pick_values() noexcept { return add_values; }
 
 AddHermiteSums pick_sums(kernel::Kind kind) noexcept {
     switch (kind) {
@@ -204,10 +157,6 @@ namespace hrbfnpr::implicit {
 
 AddHermiteSums hermite_sums(base::InstructionSet set, kernel::Kind kind) noexcept {
     return HRBFNPR_PICK(set, hermite_sums::pick_sums)(kind);
-}
-
-AddTriharmonicValues triharmonic_values_of(base::InstructionSet set) noexcept {
-    return HRBFNPR_PICK(set, hermite_sums::pick_values)();
 }
 
 } // namespace hrbfnpr::implicit

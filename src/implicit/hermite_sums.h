@@ -43,10 +43,4 @@ using AddHermiteSums = void (*)(double kernel_radius, const Sources& sources, co
 
 [[nodiscard]] AddHermiteSums hermite_sums(base::InstructionSet set, kernel::Kind kind) noexcept;
 
-// Adds the sums of the values for the kernel r^3, without gradients.
-using AddTriharmonicValues = void (*)(const Sources& sources, const double* x, const double* y, const double* z,
-                                      double* value, std::int64_t count);
-
-[[nodiscard]] AddTriharmonicValues triharmonic_values_of(base::InstructionSet set) noexcept;
-
 } // namespace hrbfnpr::implicit

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 namespace hrbfnpr::implicit {
 namespace {
@@ -37,6 +38,13 @@ constexpr std::array<std::string_view, 9> node_table = {
     "429484852444079270492907027856702249586909990099790993399939905293932590059975649009969900090925"
     "379793940699390065995395",
 };
+
+template <class T>
+[[nodiscard]] std::array<base::Array<T>, 8> arrays(base::Memory& memory) {
+    using Array = base::Array<T>;
+    return {Array(memory), Array(memory), Array(memory), Array(memory),
+            Array(memory), Array(memory), Array(memory), Array(memory)};
+}
 
 [[nodiscard]] geometry::VecArray nodes_of(base::Memory& memory, int degree) {
     const std::string_view digits = node_table[static_cast<std::size_t>(degree / 2 - 1)];
@@ -81,36 +89,37 @@ void orthonormalise(double* values, std::int64_t points, double* terms, std::int
     }
 }
 
+// Returns the terms of degrees up to `degree` that belong to each part, as indices among all terms up to `order`.
+[[nodiscard]] std::array<base::Array<std::int32_t>, 8> terms_of_parts(base::Memory& memory, int degree, int order) {
+    std::array<base::Array<std::int32_t>, 8> parts = arrays<std::int32_t>(memory);
+    std::int32_t at = 0;
+    for (int a = 0; a <= order; ++a)
+        for (int b = 0; a + b <= order; ++b)
+            for (int c = 0; a + b + c <= order; ++c, ++at)
+                if (a + b + c <= degree)
+                    parts[static_cast<std::size_t>((a & 1) | (b & 1) << 1 | (c & 1) << 2)].push_back(at);
+    return parts;
+}
+
 } // namespace
 
 MirroredBasis::MirroredBasis(const base::Work& work, int degree)
-    : degree_(degree), nodes_(nodes_of(work.memory, degree)),
-      parts_{Part(work.memory), Part(work.memory), Part(work.memory), Part(work.memory),
-             Part(work.memory), Part(work.memory), Part(work.memory), Part(work.memory)} {
+    : degree_(degree), nodes_(nodes_of(work.memory, degree)), matrix_(arrays<double>(work.memory)) {
     HRBFNPR_ASSERT(degree % 2 == 1 && degree >= degree_min && degree <= degree_max);
-    find_terms();
     const base::Array<double> polynomials =
         triharmonic_coefficients(work.memory, degree_, CubeBasis::terms(degree_), work);
-    work.for_each(8, [&](std::int64_t parity) { fit_part(work, polynomials, static_cast<std::uint32_t>(parity)); });
-}
-
-void MirroredBasis::find_terms() {
-    std::int32_t at = 0;
-    for (int a = 0; a <= degree_; ++a)
-        for (int b = 0; a + b <= degree_; ++b)
-            for (int c = 0; a + b + c <= degree_; ++c)
-                parts_[static_cast<std::size_t>((a & 1) | (b & 1) << 1 | (c & 1) << 2)].term.push_back(at++);
+    work.for_each(8, [&](std::int64_t parity) { fit_part(work, polynomials, static_cast<std::size_t>(parity)); });
 }
 
 // A polynomial belongs to the part with the parity of all its terms.
-void MirroredBasis::fit_part(const base::Work& work, const base::Array<double>& polynomials, std::uint32_t parity) {
-    Part& part = parts_[parity];
-    const std::int64_t rows = part.term.size();
+void MirroredBasis::fit_part(const base::Work& work, const base::Array<double>& polynomials, std::size_t parity) {
+    const base::Array<std::int32_t> term = std::move(terms_of_parts(work.memory, degree_, degree_)[parity]);
+    const std::int64_t rows = term.size();
     base::Array<double> terms(work.memory);
     for (std::int64_t column = 0; column < triharmonic_size(degree_); ++column) {
         const double* const of = polynomials.data() + column * CubeBasis::terms(degree_);
-        if (std::none_of(part.term.begin(), part.term.end(), [&](std::int32_t term) { return of[term] != 0.0; })) continue;
-        for (const std::int32_t term : part.term) terms.push_back(of[term]);
+        if (std::none_of(term.begin(), term.end(), [&](std::int32_t t) { return of[t] != 0.0; })) continue;
+        for (const std::int32_t t : term) terms.push_back(of[t]);
     }
     const std::int64_t columns = terms.size() / rows;
     base::Array<double> values(work.memory, columns * groups());
@@ -119,21 +128,21 @@ void MirroredBasis::fit_part(const base::Work& work, const base::Array<double>& 
     for (std::int64_t g = 0; g < groups(); ++g) {
         work.check();
         CubeBasis::evaluate(degree_, nodes_[g], all.data());
-        for (std::int64_t i = 0; i < rows; ++i) some[i] = all[part.term[i]];
+        for (std::int64_t i = 0; i < rows; ++i) some[i] = all[term[i]];
         for (std::int64_t k = 0; k < columns; ++k)
             values[k * groups() + g] = dot(some.data(), terms.data() + k * rows, rows);
     }
     orthonormalise(values.data(), groups(), terms.data(), rows, columns);
     const std::int64_t stride = CubeBasis::padded(static_cast<int>(rows));
-    part.matrix.resize(stride * groups());
+    matrix_[parity].resize(stride * groups());
     for (std::int64_t g = 0; g < groups(); ++g)
         for (std::int64_t k = 0; k < columns; ++k)
-            add_scaled(values[k * groups() + g], terms.data() + k * rows, part.matrix.data() + g * stride, rows);
+            add_scaled(values[k * groups() + g], terms.data() + k * rows, matrix_[parity].data() + g * stride, rows);
 }
 
-MirroredBasis::Batch::Batch(base::Memory& memory, const MirroredBasis& basis)
-    : basis_(basis), in_(memory, basis.size() * cube_batch),
-      out_(memory, CubeBasis::padded(static_cast<int>(basis.parts_[0].term.size())) * cube_batch) {}
+MirroredBasis::Batch::Batch(base::Memory& memory, const MirroredBasis& basis, int order)
+    : basis_(basis), term_(terms_of_parts(memory, basis.degree(), order)), in_(memory, basis.size() * cube_batch),
+      out_(memory, CubeBasis::padded(static_cast<int>(term_[0].size())) * cube_batch) {}
 
 // Sums and differences over pairs of mirrored nodes, axis by axis, separate the eight parts.
 void MirroredBasis::Batch::add(double* values, double factor, double* terms) noexcept {
@@ -158,17 +167,16 @@ void MirroredBasis::Batch::flush(const CubeLoops& loops) noexcept {
     if (count_ == 0) return;
     const std::int64_t groups = basis_.groups();
     for (std::size_t parity = 0; parity < 8; ++parity) {
-        const Part& part = basis_.parts_[parity];
-        const std::int64_t rows = part.term.size();
+        const base::Array<std::int32_t>& term = term_[parity];
+        const std::int64_t rows = term.size();
         const std::int64_t stride = CubeBasis::padded(static_cast<int>(rows));
         std::fill(out_.begin(), out_.end(), 0.0);
         double* out[cube_batch];
         for (std::int64_t v = 0; v < cube_batch; ++v) out[v] = out_.data() + v * stride;
-        loops.multiply(part.matrix.data(), stride, static_cast<int>(stride), static_cast<int>(groups),
+        loops.multiply(basis_.matrix_[parity].data(), stride, static_cast<int>(stride), static_cast<int>(groups),
                        in_.data() + static_cast<std::int64_t>(parity) * groups * cube_batch, out, cube_batch);
         for (std::int64_t v = 0; v < count_; ++v)
-            for (std::int64_t i = 0; i < rows; ++i)
-                terms_[static_cast<std::size_t>(v)][part.term[i]] = out[v][i];
+            for (std::int64_t i = 0; i < rows; ++i) terms_[static_cast<std::size_t>(v)][term[i]] += out[v][i];
     }
     count_ = 0;
 }

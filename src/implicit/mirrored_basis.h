@@ -37,16 +37,18 @@ public:
     // Fits the polynomials of several functions at a time.
     class Batch {
     public:
-        Batch(base::Memory& memory, const MirroredBasis& basis);
+        // The terms are those of polynomials of degree `order`, which is at least the degree of the basis.
+        Batch(base::Memory& memory, const MirroredBasis& basis, int order);
 
-        // Adds a function with these values at the nodes, times `factor`. Its terms are written to `terms` by flush().
-        // Changes the values.
+        // Adds a function with these values at the nodes, times `factor`. flush() adds its terms to `terms`. Changes
+        // the values.
         void add(double* values, double factor, double* terms) noexcept;
         [[nodiscard]] bool full() const noexcept { return count_ == cube_batch; }
         void flush(const CubeLoops& loops) noexcept;
 
     private:
         const MirroredBasis& basis_;
+        std::array<base::Array<std::int32_t>, 8> term_; // for each part, the indices of its terms
         int count_ = 0;
         std::array<double*, cube_batch> terms_{};
         base::Array<double> in_;  // interleaved, for each part the values at the nodes with positive coordinates
@@ -54,18 +56,13 @@ public:
     };
 
 private:
-    struct Part {
-        explicit Part(base::Memory& memory) noexcept : term(memory), matrix(memory) {}
-        base::Array<std::int32_t> term; // the index of each term of the part among all terms of the degree
-        base::Array<double> matrix;     // maps values to terms; column-major with a padded number of rows
-    };
-
-    void find_terms();
-    void fit_part(const base::Work& work, const base::Array<double>& polynomials, std::uint32_t parity);
+    void fit_part(const base::Work& work, const base::Array<double>& polynomials, std::size_t parity);
 
     int degree_;
     geometry::VecArray nodes_;
-    std::array<Part, 8> parts_; // bit c of the index is set for functions that are odd along the axis c
+    // For each part, the matrix that maps values to terms. It is column-major with a padded number of rows. Bit c of
+    // the index is set for functions that are odd along the axis c.
+    std::array<base::Array<double>, 8> matrix_;
 };
 
 } // namespace hrbfnpr::implicit

@@ -13,7 +13,7 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using base::HWY_NAMESPACE::D;
-using base::HWY_NAMESPACE::inverse_root;
+using base::HWY_NAMESPACE::root;
 using base::HWY_NAMESPACE::V;
 
 HWY_INLINE V broadcast(const double* at) { return hn::Set(D(), *at); }
@@ -24,9 +24,7 @@ struct Term {
 
     HWY_INLINE Term plus(V dx, V dy) const { return {hn::Add(square, dx), hn::Add(factor, dy)}; }
     HWY_INLINE Term minus(V dx, V dy) const { return {hn::Sub(square, dx), hn::Sub(factor, dy)}; }
-    HWY_INLINE V times_distance(V sum) const {
-        return hn::MulAdd(hn::Mul(square, inverse_root(square)), factor, sum);
-    }
+    HWY_INLINE V times_distance(V sum) const { return hn::MulAdd(root(square), factor, sum); }
 };
 
 // The mirror images of a node share the products of its coordinates, which only change their signs.

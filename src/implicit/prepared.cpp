@@ -35,13 +35,13 @@ constexpr std::int64_t probes = 512;
 
 } // namespace
 
-// Times were measured on two cores with AVX-512: a pair of a point and a centre takes 0.15 ns; a field takes 0.4 s plus
-// 25 us for each centre. A field is made if it takes less than twice the time of all pairs, because later calls use it,
-// too. The results of a call do not depend on earlier calls.
+// Times were measured on two cores with AVX-512: a pair of a point and a centre takes 0.15 ns; a field takes 0.02 s
+// plus 28 us for each centre. A field is made if it takes less than twice the time of all pairs, because later calls
+// use it, too. The results of a call do not depend on earlier calls.
 bool Prepared::pays(const HrbfData& data, double points) noexcept {
     const auto centres = static_cast<double>(data.count());
     return data.kernel == kernel::Kind::triharmonic && data.count() >= fewest_centres &&
-           1.5e-10 * points * centres > 0.2 + 1.2e-5 * centres;
+           1.5e-10 * points * centres > 0.01 + 1.4e-5 * centres;
 }
 
 std::unique_ptr<Prepared> Prepared::make(const base::Work& work, const HrbfData& data,

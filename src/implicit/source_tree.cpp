@@ -5,7 +5,6 @@
 
 #include "implicit/cube_loops.h"
 #include "implicit/cube_vectors.h"
-#include "implicit/mirrored_basis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,14 +35,12 @@ constexpr std::int64_t cubes_a_task = 32; // number of cubes in a task
 } // namespace
 
 SourceTree::SourceTree(const base::Work& work, const geometry::VecArray& centres, const SourceTreeOptions& options)
-    : runtime_(work), tree_(centres, options.leaf_size, options.margin, work), outgoing_(work.memory),
+    : runtime_(work), tree_(centres, options.leaf_size, 0.0, work), outgoing_(work.memory),
       alpha_(work.memory, centres.size()), beta_(work.memory, centres.size()) {
     std::int64_t size = 0;
     for (std::int32_t level = 0; level < tree_.levels(); ++level) {
         const int degree = degree_of(level, options);
-        levels_.push_back({degree, nullptr, nullptr, size});
-        if (!options.expands) continue;
-        levels_.back().basis = find_basis(degree, work);
+        levels_.push_back({find_basis(degree, work), nullptr, size});
         size += levels_.back().basis->stride() * (tree_.level_end(level) - tree_.level_begin(level));
     }
     vectors_size_ = size + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max));
@@ -67,30 +64,17 @@ SourceTree::SourceTree(const base::Work& work, const geometry::VecArray& centres
     return std::max(to_converge, to_be_exact);
 }
 
-// Returns the degree for gradients. With two cubes between a source and a target, the error of a gradient is about
-// 5.5^-degree. The constants were found by experiments with fits of 512 to 4096 samples: if the degree of the top level
-// is higher by 1, the remaining error is rounding.
-[[nodiscard]] double degree_for_gradients(double width, double tolerance) noexcept {
-    return 12.9 + std::log(1e-9 / tolerance) / std::log(5.5) + 0.7 * std::log2(width);
-}
-
 int SourceTree::degree_of(std::int32_t level, const SourceTreeOptions& options) const noexcept {
     if (!has_expansions(level)) return 0; // nodes are not used on this level, because all its cubes touch each other
     const double width = std::max(1.0, tree_.half_width(level) / options.spacing);
     const double all = std::max(1.0, tree_.half_width(0) / options.spacing);
-    // Degrees for gradients are even numbers, so that fewer bases are needed. Making a basis takes longer than the sums
-    // that a lower degree would save.
-    const double degree = options.separation == 1
-                              ? std::ceil(degree_for_fits(width, all, options.tolerance))
-                              : 2.0 * std::ceil(0.5 * degree_for_gradients(width, options.tolerance));
-    const int even = std::clamp(static_cast<int>(degree) + 2 * options.finer, 4, CubeBasis::degree_max);
-    static_assert(MirroredBasis::degree_max == CubeBasis::degree_max - 1);
-    return options.expands ? even : even - 1; // MirroredBasis is as accurate with a degree that is lower by 1
+    const double degree = std::ceil(degree_for_fits(width, all, options.tolerance));
+    return std::clamp(static_cast<int>(degree) + 2 * options.finer, 4, CubeBasis::degree_max);
 }
 
 std::shared_ptr<CubeBasis> SourceTree::find_basis(int degree, const base::Progress& progress) const {
     for (const Level& level : levels_)
-        if (level.basis != nullptr && level.degree == degree) return level.basis;
+        if (level.basis->degree() == degree) return level.basis;
     return std::make_shared<CubeBasis>(base::Work(runtime_, progress), degree);
 }
 
@@ -224,14 +208,6 @@ void SourceTree::translate(std::int32_t level, std::span<const Pair> pairs, int 
         loops.translate(nodes, first_row, last_row, basis.size(), shift, half * half * half, batch.in(),
                         batch.out(nobody.data()), batch.count());
         batch.clear();
-    }
-}
-
-void SourceTree::forget_expansions() noexcept {
-    outgoing_.release();
-    for (Level& level : levels_) {
-        level.transfers.reset();
-        if (level.basis != nullptr) level.basis->forget_matrices();
     }
 }
 

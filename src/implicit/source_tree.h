@@ -27,12 +27,6 @@ struct SourceTreeOptions {
     std::int64_t leaf_size = 600;
     // The allowed error of sums with the weights of a fit, relative to the right-hand side of the fit.
     double tolerance = 1e-8;
-    // A cube acts on another cube by its nodes if at least this many cubes lie between them; 1 or 2.
-    int separation = 1;
-    double margin = 0.0; // margin of the whole cube, relative to its width
-    // Whether cubes can act by their nodes. If not, only the tree, the weights and the degrees may be used, and the
-    // degrees are those of MirroredBasis.
-    bool expands = true;
 };
 
 class SourceTree {
@@ -47,7 +41,6 @@ public:
     void gather(const base::Progress& progress);
 
     [[nodiscard]] const geometry::Octree& tree() const noexcept { return tree_; }
-    [[nodiscard]] int degree(std::int32_t level) const noexcept { return at(level).degree; }
     [[nodiscard]] const CubeBasis& basis(std::int32_t level) const noexcept { return *at(level).basis; }
     // Returns the matrix that maps values at a level's nodes to values at the nodes of a child. gather() must be called
     // before, and the level of the child must exist.
@@ -85,9 +78,6 @@ public:
     void translate(std::int32_t level, std::span<const Pair> pairs, int first_row, int last_row, double* incoming,
                    const base::Progress& progress) const;
 
-    // Frees the memory that is needed only by translate(), to_child() and the matrices of the bases.
-    void forget_expansions() noexcept;
-
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
@@ -98,7 +88,6 @@ private:
     };
     // Levels with the same degree share a basis. Pairs of consecutive levels with the same two degrees share transfers.
     struct Level {
-        int degree;
         std::shared_ptr<CubeBasis> basis;
         std::shared_ptr<Transfers> transfers; // transfers to the next level; null on the deepest level
         std::int64_t begin = 0;               // index at which the vectors of the level's nodes begin

@@ -120,7 +120,7 @@ TEST(Prepared, StaysAccurateForCrossingParts) {
     const fit::FitResult fitted = fit::fit(runtime, input(crossing));
     const auto prepared = Prepared::make(runtime, fitted.data);
     ASSERT_NE(prepared, nullptr);
-    EXPECT_GT(prepared->error().gradient, 20e-7); // the error is large enough to make the test meaningful
+    EXPECT_GT(prepared->error().gradient, 5e-7); // the error is large enough to make the test meaningful
     EXPECT_LT(prepared->error().value, 200e-9);
     EXPECT_LT(prepared->error().gradient, 200e-7);
 }

@@ -132,22 +132,6 @@ INSTANTIATE_TEST_SUITE_P(Kernels, HermiteSums,
                          testing::Values(kernel::Kind::triharmonic, kernel::Kind::gaussian, kernel::Kind::wendland_c2),
                          [](const auto& kind) { return std::string(1, "TGW"[static_cast<int>(kind.param)]); });
 
-TEST(TriharmonicValues, MatchTheValuesOfTheSums) {
-    base::Memory memory;
-    const implicit::HrbfData data = hermite_data(memory, kernel::Kind::triharmonic, 23);
-    for (const int count : {0, 1, 7, 8, 9, 30}) {
-        const Points points = targets(data, count);
-        const Fields expected = plain_sums(data, points);
-        for (const base::InstructionSet set : instruction_sets()) {
-            std::vector<double> found(points.size() + 1, before);
-            found.back() = untouched;
-            implicit::triharmonic_values_of(set)(implicit::sources_of(data), points.x.data(), points.y.data(),
-                                                 points.z.data(), found.data(), count);
-            expect_sums(found, expected.value, points.size(), base::name(set));
-        }
-    }
-}
-
 } // namespace
 
 } // namespace hermite_sums_test

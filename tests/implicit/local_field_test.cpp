@@ -116,15 +116,6 @@ TEST(LocalField, EqualsTheSumOverAllSources) {
     EXPECT_GT(error.value, 0.0) << "nothing is far";
 }
 
-// Here weights at the nodes of cubes replace far sources, which otherwise happens only with many centres.
-TEST(LocalField, TranslationsEqualTheSumOverAllSources) {
-    const base::Runtime runtime;
-    const Error error = largest_error(runtime, sheet(runtime.memory, 40, 0), {1.0, 1e-7, 0, 0});
-    EXPECT_LT(error.value, 1e-7);
-    EXPECT_LT(error.gradient, 1e-5);
-    EXPECT_LT(error.hessian, 1e-3);
-}
-
 TEST(LocalField, ClustersAreDividedAsDeeplyAsTheyNeed) {
     const base::Runtime runtime;
     const Sources sources = sheet(runtime.memory, 16, 300);
