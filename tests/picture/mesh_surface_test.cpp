@@ -80,12 +80,12 @@ TEST_F(MeshSurface, DividesACoarseBall) {
     ASSERT_EQ(divided.figure_count, 4U);
     EXPECT_EQ(divided.figures[0], 1.0);
     EXPECT_NEAR(divided.figures[3], 0.00832568926515175, 1e-9);
-    ASSERT_EQ(stages().size(), 4U);
+    // A closed mesh whose fit is near everywhere has no end to search for.
+    ASSERT_EQ(stages().size(), 3U);
     EXPECT_EQ(stages()[0], "1: 1 part, closed");
     EXPECT_EQ(stages()[1], "2: 2000 samples, to check which way faces look");
     EXPECT_THAT(stages()[2], HasSubstr(" centres in "));
     EXPECT_THAT(stages()[2], HasSubstr("; 99% of surface and mesh are within "));
-    EXPECT_EQ(stages()[3], "7: the whole surface is kept");
     EXPECT_EQ(up, glm::dvec3(0, 1, 0));
 }
 
