@@ -153,9 +153,13 @@ AdaptiveFit fit_adaptively(const base::Work& work, const FitInput& input, const 
     Smoothing last = smoothing;
     CentreFit first_fit = fit_round(0, first, none, last, {});
     AdaptiveFit now{std::move(first_fit), std::move(first), std::move(none), 1, watch.seconds(), 0.0};
+    Samples unused(work.memory); // the centres off the surface that the chooser found when it ended the loop
     for (;;) {
-        const NextCentres next = chooser(now);
-        if (!next.continues || now.rounds >= settings.most_rounds) break;
+        NextCentres next = chooser(now);
+        if (!next.continues || now.rounds >= settings.most_rounds) {
+            unused = std::move(next.off_surface);
+            break;
+        }
         const double before = watch.seconds();
         base::Array<std::int64_t> centres = joined(now.centres, next.centres);
         const std::int64_t off_surface = now.off_surface.position.size();
@@ -180,8 +184,12 @@ AdaptiveFit fit_adaptively(const base::Work& work, const FitInput& input, const 
     }
     if (solves_exactly(input, rough, now.fit.result.report)) return now;
     const double before = watch.seconds();
+    const std::int64_t off_surface = now.off_surface.position.size();
+    add_off_surface(unused, now.off_surface);
+    const base::Array<std::int64_t> earlier =
+        earlier_indices(now.centres, off_surface, now.centres, now.off_surface.position.size());
     now.fit = fit_centres(work.without_progress(), input, centres_of(work, candidates, now.centres, now.off_surface),
-                          last, {&now.fit.result.data, nullptr});
+                          last, {&now.fit.result.data, &earlier});
     now.seconds_fit += watch.seconds() - before;
     return now;
 }

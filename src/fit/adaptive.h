@@ -34,7 +34,9 @@ struct NextCentres {
     NextCentres(base::Memory& memory, const Smoothing& smooth) noexcept
         : centres(memory), off_surface(memory), smoothing(smooth) {}
 
-    bool continues = false; // If false, the loop ends and the other members are ignored.
+    // If false, the loop ends. If the last system is then solved exactly, it also gets the centres off the surface.
+    // Other members are ignored.
+    bool continues = false;
     base::Array<std::int64_t> centres;
     Samples off_surface;
     Smoothing smoothing;
