@@ -475,7 +475,7 @@ bool halve_unclear(const base::Work& work, SheetMesh& in) {
         edges.push_back(e);
     };
     for (const EdgeNode& node : in.edges)
-        if (!node.place.exact && !node.alike && node.meet) add(node.edge);
+        if (!node.place.exact && !node.near && !node.alike && node.meet) add(node.edge);
     for (const CornerNode& node : in.corners) {
         if (node.place.exact) continue;
         std::int64_t longest = 3 * node.triangle;
