@@ -312,17 +312,23 @@ base::List<std::unique_ptr<SheetSurface>> sheet_surfaces(const base::Runtime& ru
                 part.mesh.corner.push_back(number[vertex] - 1);
             }
         for (const std::int32_t vertex : used) number[vertex] = 0;
-        part.mesh.neighbour = find_neighbours(runtime, part.mesh.corner, part.mesh.vertices());
         part.mesh.region = mesh.mesh.region;
         part.mesh.side = mesh.mesh.side;
-        for (std::int64_t e = 0; e < part.mesh.corner.size(); ++e)
-            if (part.mesh.neighbour[e] < 0) creases.push_back(part.mesh.position[part.mesh.corner[e]]);
     }
+    const base::Runtime one_thread(runtime, base::Parallel()); // most parts are small
+    runtime.parallel.for_each(parts.size(), [&](std::int64_t p) {
+        SurfaceMesh& own = parts[p]->mesh;
+        own.neighbour = find_neighbours(one_thread, own.corner, own.vertices());
+    });
+    for (const std::unique_ptr<SheetSurface>& part : parts)
+        for (std::int64_t e = 0; e < part->mesh.corner.size(); ++e)
+            if (part->mesh.neighbour[e] < 0) creases.push_back(part->mesh.position[part->mesh.corner[e]]);
     const auto grid = std::make_shared<const geometry::PointGrid>(creases, curve_tuning.border_reach * mesh.mesh.side);
-    for (const std::unique_ptr<SheetSurface>& part : parts) {
-        part->domain = std::make_unique<SheetDomain>(whole, part->sheet, grid, part->mesh, mesh.mesh.domain);
-        part->mesh.domain = part->domain.get();
-    }
+    runtime.parallel.for_each(parts.size(), [&](std::int64_t p) {
+        SheetSurface& part = *parts[p];
+        part.domain = std::make_unique<SheetDomain>(whole, part.sheet, grid, part.mesh, mesh.mesh.domain);
+        part.mesh.domain = part.domain.get();
+    });
     return parts;
 }
 
