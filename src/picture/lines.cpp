@@ -287,6 +287,34 @@ hrbfnpr_line_set_info info_of(const LineSet& line_set) {
     return info;
 }
 
+// Creates a line set with the lines of `list` and, if they are wanted, the sharp edges of the surface's mesh. The
+// model's own creases replace these edges. A model of several sheets nearly always has creases, and other models hardly
+// ever, so the line set is seldom created twice.
+LineSet create_with_edges(const Call& call, const Surface& surface, bool wants_edges, hrbfnpr_line_set_desc& desc,
+                          Vector<hrbfnpr_line_desc>& list, Stage& stage) {
+    LinesOnce edges(HRBFNPR_LINE_KIND_OWN, call.pool);
+    const auto add_edges = [&] {
+        if (wants_edges) edges = edges_of_mesh(call, *surface.shape, stage.operation());
+        if (!edges.points.empty()) list.push_back(edges.view());
+        return !edges.points.empty();
+    };
+    const auto create = [&] {
+        desc.lines = list.data();
+        desc.line_count = static_cast<std::int64_t>(list.size());
+        return create_line_set(call, *surface.model.get(), desc, stage);
+    };
+    const bool has_sheets = surface.fit && surface.fit->sheets > 1;
+    const bool has_edges = !has_sheets && add_edges();
+    LineSet made = create();
+    const bool has_creases = info_of(made).creases > 0;
+    if (has_sheets && !has_creases && add_edges()) return create();
+    if (has_edges && has_creases) {
+        list.pop_back();
+        return create();
+    }
+    return made;
+}
+
 void tell_where_it_ends(const Call& call, const hrbfnpr_line_set_info& info, double support) {
     String text(&call.pool);
     if (info.borders == 0) {
@@ -347,19 +375,8 @@ LineSet make_lines(const Call& call, const Surface& surface, const Style& style,
     hrbfnpr_line_set_info info{};
     {
         Stage stage(call.report, HRBFNPR_STAGE_LINES);
-        LinesOnce edges(HRBFNPR_LINE_KIND_OWN, call.pool);
-        if (is_sharp && has_faces) edges = edges_of_mesh(call, *surface.shape, stage.operation());
-        const bool has_edges = !edges.points.empty();
-        if (has_edges) list.push_back(edges.view());
-        desc.lines = list.data();
-        desc.line_count = static_cast<std::int64_t>(list.size());
-        made = create_line_set(call, model, desc, stage);
+        made = create_with_edges(call, surface, is_sharp && has_faces, desc, list, stage);
         info = info_of(made);
-        if (info.creases > 0 && has_edges) { // The model's own creases replace those of the mesh.
-            --desc.line_count;
-            made = create_line_set(call, model, desc, stage);
-            info = info_of(made);
-        }
         stage.says(formatted(call.pool, "%s on %lld triangles",
                              count_of(info.lines, "view-independent line", call.pool).c_str(),
                              static_cast<long long>(info.triangles)));
