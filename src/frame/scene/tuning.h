@@ -41,7 +41,8 @@ struct SceneTuning {
     // A still picture needs marks outside of it up to this share of its diagonal. Larger: more marks are placed, and
     // strokes that leave the picture end farther outside.
     float still_margin = 0.02F;
-    // Marks whose |n . v| is larger than this are not near a contour of a still picture. Larger: more splats are placed.
+    // Marks whose |n . v| is larger than this are not near a contour of a still picture. Larger: more splats are
+    // placed.
     float still_rim_nu = 0.2F;
     // A still picture gets this many times the marks that its tone is expected to show, because normals for tone are
     // averaged. Larger: more marks are placed.
