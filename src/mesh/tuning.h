@@ -90,7 +90,7 @@ struct PlanTuning {
 
     // A component is smooth if its edges cut it into at least this many crumbs with at least this share of its area.
     // Larger: more folds of scans are sharp, in much more time.
-    std::int64_t fewest_crumbs = 2000;
+    std::int64_t fewest_crumbs = 1000;
     double mostly_crumbs = 0.5;
 
     // ---- Coarse faces

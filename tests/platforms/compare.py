@@ -56,6 +56,8 @@ def faults(found, wanted):
 
 
 def main():
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
     test, command = sys.argv[1], sys.argv[2:]
     found = printed(command)
     print(*(f"{test} {line}" for line in found), sep="\n")

@@ -52,8 +52,8 @@ struct CreaseTuning {
     // A patch is a crumb if it has at most this many faces, its area is less than the square of `crumb_size` diagonals
     // of its component, and the cosine between two of its normals is below `crumb_cosine`. A single small face is a
     // crumb, too. Larger: more patches are crumbs.
-    std::int64_t crumb_faces = 10;
-    double crumb_size = 0.03;
+    std::int64_t crumb_faces = 40;
+    double crumb_size = 0.06;
     double crumb_cosine = 0.99985;
     // At a smooth cut, each sheet is also fitted to faces beyond the cut. Their distance from the cut is at most this
     // many diagonals, and at most `band_share` times their distance from the nearest crease. Larger: the sheets agree
