@@ -243,7 +243,7 @@ double place_hatching(const GenerateInput& input, GrowingLayer& layer, std::opti
     return last->area();
 }
 
-// What a still picture needs of each layer. It is empty if all marks are placed.
+// The needs of a still picture for each layer. It is empty if all marks are placed.
 class StillNeeds {
 public:
     StillNeeds(const GenerateInput& input, base::List<GrowingLayer>& growing, double area) {

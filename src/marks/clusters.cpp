@@ -198,8 +198,8 @@ struct ClusterRanges {
 };
 
 // Splits a range into parts whose keys agree, until the parts are small enough. `around` is the smallest range around
-// it that is not too large or too small to say how its normals turn; null if there is none. It is used for parts that
-// are too small.
+// it that is neither too large nor too small to say how its normals turn, or null. It is used for parts that are too
+// small.
 void split_by_key(const SortedMarks& sorted, KeyRange& range, KeyRange* around, ClusterRanges& ranges,
                   const base::Progress& progress) {
     progress.check();

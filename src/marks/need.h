@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a drawing needs of the marks on a surface. A still picture shows only some of the marks that a set for all
+// The marks on a surface that a drawing needs. A still picture shows only some of the marks that a set for all
 // cameras has: those on the side that faces the camera, inside the picture, and dark enough.
 #pragma once
 

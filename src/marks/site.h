@@ -21,7 +21,7 @@ struct Site {
     double projection_tolerance; // in diagonals
     std::uint64_t random_seed;
     double unit = 1.0;          // the unit of all lengths in this struct, in the caller's units
-    const Need* need = nullptr; // what the drawing of a still picture needs; null: all marks are needed
+    const Need* need = nullptr; // tells which marks a still picture needs; null: all marks are needed
 
     [[nodiscard]] base::Memory& memory() const noexcept { return work.memory; }
     // Return the same site with a part of the work's progress, with no progress, or with the given progress.

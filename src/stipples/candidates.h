@@ -43,7 +43,7 @@ struct ClassifiedCells {
 
 [[nodiscard]] ClassifiedCells classify_cells(const marks::Site& site, const SurfaceCells& cells);
 
-// What a still picture needs of the cells of a surface.
+// The cells of a surface that a still picture needs.
 struct NeededCells {
     base::Array<float> share;           // for each cell, the share of the order that is needed
     base::Array<float> candidate_share; // for each cell, the share of its candidates that some stage may use

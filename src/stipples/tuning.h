@@ -81,7 +81,7 @@ struct StippleTuning {
     // trials in vain.
     double least_projections_per_trial = 1.0 / 256.0;
 
-    // ---- What a still picture needs (needed_cells.cpp)
+    // ---- The needs of a still picture (needed_cells.cpp)
 
     // The first marks of an order are placed on the whole surface, even if the picture shows none of them. Larger: the
     // box around the marks is closer to the box around the surface, in more time.

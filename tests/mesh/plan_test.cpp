@@ -103,7 +103,7 @@ TEST(Plan, EachPartHasItsOwnSharpness) {
 
 TEST(Plan, APartOfCrumbsIsSmooth) {
     EXPECT_TRUE(mesh::is_crumbled({1000, 0.5}, 1.0));
-    EXPECT_FALSE(mesh::is_crumbled({999, 1.0}, 1.0));  // few sheets take little time
+    EXPECT_FALSE(mesh::is_crumbled({999, 1.0}, 1.0));   // few sheets take little time
     EXPECT_FALSE(mesh::is_crumbled({5000, 0.49}, 1.0)); // most of the area has larger sheets
     EXPECT_EQ(mesh::plan_crumbled().angle, 180.0);
 }

@@ -151,7 +151,7 @@ struct SmoothPart {
     }
 };
 
-// Moves the contours of a part out of the list of all contours of the last frame. Returns null if there are none.
+// Moves the contours of a part out of the list of all contours of the last frame. Returns null without such contours.
 // `next` is the index at which the search begins, because the parts of a frame mostly have the order of the last one.
 std::unique_ptr<Contours> take_last(const SmoothPart& part, std::int64_t item, ContourList& all_last,
                                     std::int64_t& next) {

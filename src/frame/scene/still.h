@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a still picture needs of the marks on a surface.
+// The marks of a surface that a still picture needs.
 //
 // StillView: an item without marks, as its camera sees it
 // StillNeed: the bounds that marks of one layer must keep to be needed
