@@ -4,6 +4,7 @@
 #include "base/scratch.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace hrbfnpr::frame {
 namespace {
@@ -83,8 +84,10 @@ void HatchPoints::run(const Input& seen, drawing::Drawing& drawing) {
         const auto flags = static_cast<std::uint8_t>((run.turned ? dot_faces_back : 0) |
                                                      (scene.item_of(run).model != nullptr ? dot_is_exact : 0));
         Dot* to = drawing.dots.data() + batch.first_dot;
+        // Between two marks whose scales differ by many orders of magnitude, interpolation may give a scale below 0.
+        constexpr float least = std::numeric_limits<float>::min();
         for (const HatchSample& p : batch.samples.sample)
-            *to++ = {p.x,  p.y,   0.5F * p.width,   1.0F, p.depth, p.window, p.pixels_per_unit,
+            *to++ = {p.x,  p.y,   0.5F * p.width,   1.0F, p.depth, p.window, std::max(least, p.pixels_per_unit),
                      p.id, layer, MarkClass::front, flags};
     });
 }
