@@ -2063,7 +2063,7 @@ typedef struct hrbfnpr_layer_style {
                                    Pieces up to twice this length are thinner */
     uint32_t reserved2;
     float hatch_wobble;         /* how far a line strays to either side, as if drawn by an unsteady hand, in multiples
-                                   of hatch_pen; 0 .. 16; default 0.  A swing is about 60 hatch_pen long */
+                                   of hatch_pen; 0 .. 16; default 0.  A swing covers about 60 hatch_pen */
     float hatch_overshoot;      /* greatest length by which a line runs on past the end of its tone, in pixels;
                                    0 .. 16384; default 0.  Each end has another length */
     uint32_t hatch_seed;        /* seed of hatch_wobble and hatch_overshoot; any number; default 0 */
@@ -2087,7 +2087,7 @@ enum {
 enum {
     HRBFNPR_CAP_ROUND = 0,  /* half a disc beyond the end */
     HRBFNPR_CAP_FLAT = 1,   /* cut off straight at the end */
-    HRBFNPR_CAP_POINTED = 2 /* a tip, twice as long as the line is wide there */
+    HRBFNPR_CAP_POINTED = 2 /* a tip, whose length is twice the width of the line there */
 };
 
 /* Which creases are drawn. */
@@ -2381,8 +2381,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_draw_with_operation(hrbfnpr_renderer
  * desc:        NULL = all defaults
  * operation:   may be NULL
  *
- * Another camera, transform or style would show gaps, so drawing with them fails, unless the styles differ only in inks,
- * lines and paper.  The set cannot be saved.
+ * Another camera, transform or style would show gaps, so drawing with them fails.  Styles may differ in inks, lines and
+ * paper.  The set cannot be saved.
  * Errors: those of hrbfnpr_point_set_generate; INVALID_ARGUMENT (the item, its style or the camera). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_generate_still(hrbfnpr_context* context, const hrbfnpr_model* model,
                                                             const hrbfnpr_generate_desc* desc,
@@ -3296,8 +3296,8 @@ enum {
     HRBFNPR_PICTURE_TOGETHER = 8,      /* fits an open mesh as one surface, even where its parts cross */
     HRBFNPR_PICTURE_TRANSPARENT = 16,  /* makes the paper transparent */
     HRBFNPR_PICTURE_KEEP_MARKS = 32,   /* gives all layers all their marks, even if the style draws lines only, and even
-                                          those that the planned camera does not need; for marks that are saved, or drawn
-                                          by a renderer of the caller */
+                                          those that the planned camera does not need; for marks that are saved, or
+                                          drawn by a renderer of the caller */
     HRBFNPR_PICTURE_SURFACE_ONLY = 64, /* makes the model only: chooses no camera, places no marks, looks for no
                                           lines */
     HRBFNPR_PICTURE_IS_SOLID = 128     /* says that the source is a part of a solid, so that up is y */

@@ -775,7 +775,7 @@ export declare const CAP: {
   readonly ROUND: 0;
   /** cut off straight at the end */
   readonly FLAT: 1;
-  /** a tip, twice as long as the line is wide there */
+  /** a tip, whose length is twice the width of the line there */
   readonly POINTED: 2;
 };
 /** The constants of CAP, as options spell them. */

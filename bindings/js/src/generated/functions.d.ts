@@ -981,9 +981,9 @@ export interface Functions {
    * desc:        NULL = all defaults
    * operation:   may be NULL
    *
-   * Another camera, transform or style would show gaps, so drawing with them fails, unless the styles differ only
-   * in inks,
-   * lines and paper.  The set cannot be saved.
+   * Another camera, transform or style would show gaps, so drawing with them fails.  Styles may differ in inks,
+   * lines and
+   * paper.  The set cannot be saved.
    * Errors: those of hrbfnpr_point_set_generate; INVALID_ARGUMENT (the item, its style or the camera).
    */
   hrbfnpr_point_set_generate_still(context: Pointer, model: Pointer, desc: Pointer, item: Pointer, camera: Pointer, operation: Pointer, out_point_set: Pointer, error: Pointer): number;

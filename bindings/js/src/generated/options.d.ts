@@ -1058,7 +1058,7 @@ export interface LayerStyle {
   hatchShortest?: number;
   /**
    * how far a line strays to either side, as if drawn by an unsteady hand, in multiples of hatch_pen; 0 .. 16;
-   * default 0. A swing is about 60 hatch_pen long
+   * default 0. A swing covers about 60 hatch_pen
    */
   hatchWobble?: number;
   /**

@@ -2960,7 +2960,7 @@ pub struct hrbfnpr_layer_style {
     pub hatch_shortest: f32,
     pub reserved2: u32,
     /// how far a line strays to either side, as if drawn by an unsteady hand, in multiples of
-    /// hatch_pen; 0 .. 16; default 0. A swing is about 60 hatch_pen long
+    /// hatch_pen; 0 .. 16; default 0. A swing covers about 60 hatch_pen
     pub hatch_wobble: f32,
     /// greatest length by which a line runs on past the end of its tone, in pixels; 0 .. 16384;
     /// default 0. Each end has another length
@@ -2995,7 +2995,7 @@ pub const HRBFNPR_HIDDEN_PARTS_SHOWN: u32 = 3;
 pub const HRBFNPR_CAP_ROUND: u32 = 0;
 /// cut off straight at the end
 pub const HRBFNPR_CAP_FLAT: u32 = 1;
-/// a tip, twice as long as the line is wide there
+/// a tip, whose length is twice the width of the line there
 pub const HRBFNPR_CAP_POINTED: u32 = 2;
 
 // Which creases are drawn.
@@ -3423,9 +3423,9 @@ extern "C" {
     /// desc:        NULL = all defaults
     /// operation:   may be NULL
     ///
-    /// Another camera, transform or style would show gaps, so drawing with them fails, unless the
-    /// styles differ only in inks,
-    /// lines and paper.  The set cannot be saved.
+    /// Another camera, transform or style would show gaps, so drawing with them fails.  Styles
+    /// may differ in inks, lines and
+    /// paper.  The set cannot be saved.
     /// Errors: those of hrbfnpr_point_set_generate; INVALID_ARGUMENT (the item, its style or the camera).
     pub fn hrbfnpr_point_set_generate_still(
         context: *mut hrbfnpr_context,
