@@ -183,12 +183,21 @@ inline hrbfnpr_image image_of(std::vector<std::uint8_t>& pixels, std::int32_t si
     return image;
 }
 
+// Draws one item. `drawing` is NULL if that fails.
+inline hrbfnpr_status try_to_draw(const Renderer& renderer, const hrbfnpr_item& item, const hrbfnpr_camera& camera,
+                                  Drawing& drawing, Error& error) {
+    hrbfnpr_drawing* made_drawing = nullptr;
+    const hrbfnpr_status status = hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &camera, &made_drawing, error);
+    drawing.reset(made_drawing);
+    return status;
+}
+
 // Draws one item. Returns NULL and reports the error if that fails.
 inline Drawing draw_item(const Renderer& renderer, const hrbfnpr_item& item, const hrbfnpr_camera& camera) {
     Error error;
-    hrbfnpr_drawing* drawing = nullptr;
-    EXPECT_OK(hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &camera, &drawing, error));
-    return Drawing(drawing);
+    Drawing drawing;
+    EXPECT_OK(try_to_draw(renderer, item, camera, drawing, error));
+    return drawing;
 }
 
 inline hrbfnpr_drawing_info info_of(const Drawing& drawing) {

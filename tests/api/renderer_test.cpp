@@ -14,12 +14,8 @@ protected:
           renderer(make_renderer(context)) {}
 
     hrbfnpr_status draw_it(const hrbfnpr_style* style = nullptr, hrbfnpr_drawing_info* info = nullptr) {
-        const hrbfnpr_item item = item_of(set, style);
-        const hrbfnpr_camera camera = front_camera();
-        hrbfnpr_drawing* made_drawing = nullptr;
-        const hrbfnpr_status status = hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &camera, &made_drawing, error);
-        drawing.reset(made_drawing);
-        if (info != nullptr && made_drawing != nullptr) *info = info_of(drawing);
+        const hrbfnpr_status status = try_to_draw(renderer, item_of(set, style), front_camera(), drawing, error);
+        if (info != nullptr && status == HRBFNPR_STATUS_OK) *info = info_of(drawing);
         return status;
     }
 

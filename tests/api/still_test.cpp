@@ -24,11 +24,9 @@ protected:
     hrbfnpr_status draw(hrbfnpr_drawing_info* info = nullptr) {
         hrbfnpr_item drawn = item;
         drawn.point_set = set.get();
-        hrbfnpr_drawing* made_drawing = nullptr;
-        const hrbfnpr_status status =
-            hrbfnpr_renderer_draw(renderer.get(), &drawn, 1, 0, &camera, &made_drawing, error);
-        const Drawing drawing(made_drawing);
-        if (info != nullptr && made_drawing != nullptr) *info = info_of(drawing);
+        Drawing drawing;
+        const hrbfnpr_status status = try_to_draw(renderer, drawn, camera, drawing, error);
+        if (info != nullptr && status == HRBFNPR_STATUS_OK) *info = info_of(drawing);
         return status;
     }
 
@@ -78,6 +76,17 @@ TEST_F(Still, RefusesOtherDrawings) {
     item.transform[12] = 0.0;
     EXPECT_OK(draw());
     camera.view[12] = 0.1;
+    EXPECT_FAILS(draw(), HRBFNPR_STATUS_INVALID_ARGUMENT, "items[0].point_set has only the marks that another camera");
+}
+
+// A style with another name may apply to other layers.
+TEST_F(Still, RefusesAStyleForLayersOfAnotherName) {
+    auto layer = made(hrbfnpr_layer_style_init);
+    style.layers = &layer;
+    style.layer_count = 1;
+    ASSERT_OK(generate_still());
+    EXPECT_OK(draw());
+    layer.name = "other";
     EXPECT_FAILS(draw(), HRBFNPR_STATUS_INVALID_ARGUMENT, "items[0].point_set has only the marks that another camera");
 }
 

@@ -127,14 +127,20 @@ TEST(SurfaceMesh, EndsWhereTheRegionEnds) {
     for (std::int64_t i = 0; i < mesh.vertices(); ++i) ASSERT_TRUE(half.region.contains(mesh.position[i]));
 }
 
+// Points of the unit sphere up to an angle from its south pole, `step` apart.
+geometry::VecArray around_south_pole(const base::Runtime& runtime, double largest_angle, double step) {
+    geometry::VecArray points(runtime.memory);
+    for (double angle = 0.0; angle < largest_angle; angle += step)
+        for (double turn = 0.0; turn < 2 * pi; turn += step / std::max(step, std::sin(angle)))
+            points.push_back({std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn), -std::cos(angle)});
+    return points;
+}
+
 // The mesh contains all of the surface that the samples support, and little of what lies beyond.
 TEST(SurfaceMesh, EndsJustBeyondItsSamples) {
     const base::Runtime runtime = with_threads(2);
     const Sphere sphere;
-    geometry::VecArray samples(runtime.memory);
-    for (double angle = 0.0; angle < 0.4; angle += 0.04) // around the south pole
-        for (double turn = 0.0; turn < 2 * pi; turn += 0.04 / std::max(0.04, std::sin(angle)))
-            samples.push_back({std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn), -std::cos(angle)});
+    const geometry::VecArray samples = around_south_pole(runtime, 0.4, 0.04);
     const surface::SupportDomain domain(surface::Support(runtime, samples, samples, 0.0), 3.0, 0.0);
     MeshSettings cells = settings(sphere, 0.02);
     const SurfaceMesh whole = triangulate(runtime, sphere, samples, cells);
@@ -177,10 +183,7 @@ private:
 TEST(SurfaceMesh, IsCutAsByExactSupportWhereSignsSuffice) {
     const base::Runtime runtime = with_threads(2);
     const Sphere sphere;
-    geometry::VecArray samples(runtime.memory);
-    for (double angle = 0.0; angle < 0.8; angle += 0.05) // around the south pole
-        for (double turn = 0.0; turn < 2 * pi; turn += 0.05 / std::max(0.05, std::sin(angle)))
-            samples.push_back({std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn), -std::cos(angle)});
+    const geometry::VecArray samples = around_south_pole(runtime, 0.8, 0.05);
     const SurfaceMesh mesh = triangulate(runtime, sphere, samples, settings(sphere, 0.04));
     surface::Support support(runtime, samples, samples, 0.0);
     geometry::CellGrid grid;
