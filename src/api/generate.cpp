@@ -3,7 +3,6 @@
 #include "generate/generate.h"
 
 #include "api/barrier.h"
-#include "api/camera.h"
 #include "api/descriptor.h"
 #include "api/fields.h"
 #include "api/layer_fields.h"
@@ -12,7 +11,7 @@
 #include "api/model.h"
 #include "api/operation.h"
 #include "api/point_set.h"
-#include "api/style.h"
+#include "api/still.h"
 #include "api/views.h"
 
 #include <numbers>
@@ -144,24 +143,6 @@ generate::Settings checked(const hrbfnpr_generate_desc& desc) {
         settings.layers.push_back(checked(layers[i], layers.name(i).text));
     return generate::completed(std::move(settings));
 }
-
-// The drawing of a still picture, with the arrays of its style.
-struct CheckedStill {
-    CheckedStill(base::Memory& memory, const hrbfnpr_item& item, const hrbfnpr_camera& camera)
-        : layers(memory), lines(memory) {
-        const Checks checks("item");
-        checks.one_of("sides", item.sides, HRBFNPR_SIDES_BOTH + 1, "HRBFNPR_SIDES_*");
-        still.camera = to_camera(camera);
-        still.style = checked_style(read_optional_struct(item.style, "item.style"), "item.style", layers, lines);
-        still.style.layers = std::as_const(layers).span();
-        still.both_sides = item.sides == HRBFNPR_SIDES_BOTH;
-        still.transform = to_matrix(item.transform);
-    }
-
-    base::Array<frame::LayerStyle> layers;
-    base::Array<frame::LineStyle> lines;
-    frame::Still still;
-};
 
 hrbfnpr_point_set* generate(hrbfnpr_context& context, const hrbfnpr_model& model, const hrbfnpr_generate_desc& desc,
                             const frame::Still* still, hrbfnpr_operation* operation) {

@@ -268,11 +268,7 @@ public:
     // Notes in the set which drawing it is for, if marks were left out.
     void note(const GenerateInput& input, marks::PointSet& set) const {
         if (needs_.empty()) return;
-        frame::Item item;
-        item.style = input.settings.still->style;
-        item.transform = input.settings.still->transform;
-        item.both_sides = input.settings.still->both_sides;
-        set.still = frame::still_key(input.site.memory(), input.settings.still->camera, item);
+        set.still = frame::still_key(input.site.memory(), *input.settings.still);
     }
 
 private:

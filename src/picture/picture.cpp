@@ -3,6 +3,7 @@
 #include "picture/picture.h"
 
 #include "api/drawing.h"
+#include "api/still.h"
 #include "base/clock.h"
 #include "picture/blank.h"
 #include "picture/ends.h"
@@ -126,36 +127,28 @@ String key_of_lines(const Call& call, const Style& style, const Vector<WantedLin
     return key;
 }
 
-// Returns a key with everything in a camera and a style that decides which marks a still picture needs. Inks, lines and
-// paper decide nothing.
-String key_of_still(const hrbfnpr_picture& picture) {
-    String key(&picture.root().pool);
-    const auto add = [&](auto number) { append_decimals(key += ' ', static_cast<double>(number)); };
-    const hrbfnpr_camera& camera = picture.camera;
-    for (const double number : camera.view) add(number);
-    for (const double number : camera.projection) add(number);
-    for (const double number : camera.viewport) add(number);
-    add(camera.depth_convention);
-    const hrbfnpr_style& style = picture.style->base;
-    for (const std::uint32_t choice :
-         {style.tone, style.tone_rule, style.tone_curve, style.light_space, style.visibility, style.hidden_lines})
-        add(choice);
-    for (const double number : style.light) add(number);
-    for (const double number : {style.tone_exponent, double{style.tone_fade}, style.zoom_reference, style.zoom_exponent,
-                                double{style.fill_light}})
-        add(number);
-    for (const hrbfnpr_layer_style& layer : picture.style->layers) {
-        for (const std::uint32_t choice : {layer.kind, layer.shown, layer.contours, layer.shape}) add(choice);
-        for (const float number : {layer.share, layer.radius, layer.radius_zoom, layer.hatch_tone_begin}) add(number);
-        if (layer.name != nullptr) key += layer.name;
+StillDrawing still_of(const hrbfnpr_picture& picture, std::size_t part) {
+    StillDrawing still{defaults<hrbfnpr_item>(hrbfnpr_item_init), picture.camera};
+    still.item.style = &picture.style_view;
+    still.item.sides = picture.parts[part].sides;
+    return still;
+}
+
+// Returns the numbers of the planned drawings of all parts that decide which marks they need.
+Vector<double> key_of_still(const hrbfnpr_picture& picture) {
+    Vector<double> key(&picture.root().pool);
+    for (std::size_t i = 0; i < picture.parts.size(); ++i) {
+        const StillDrawing still = still_of(picture, i);
+        const api::CheckedStill checked(picture.context().runtime.memory, still.item, still.camera);
+        const base::Array<double> own = frame::still_key(picture.context().runtime.memory, checked.still);
+        key.insert(key.end(), own.begin(), own.end());
     }
-    for (const Part& part : picture.parts) add(part.sides);
     return key;
 }
 
 // Looks for marks that another picture of the same surfaces placed for the same plan and the same key of a still
 // picture.
-std::optional<Vector<Part>> find_made_marks(const hrbfnpr_picture& picture, const String& still_key) {
+std::optional<Vector<Part>> find_made_marks(const hrbfnpr_picture& picture, const Vector<double>& still_key) {
     const hrbfnpr_picture& root = picture.root();
     const std::scoped_lock lock(root.making);
     for (const MadeParts& made : root.made)
@@ -178,13 +171,6 @@ void keep_made_parts(const hrbfnpr_picture& picture, MadeParts&& made) {
     const hrbfnpr_picture& root = picture.root();
     const std::scoped_lock lock(root.making);
     if (root.made.size() < most_made) root.made.push_back(std::move(made));
-}
-
-StillDrawing still_of(const hrbfnpr_picture& picture, std::size_t part) {
-    StillDrawing still{defaults<hrbfnpr_item>(hrbfnpr_item_init), picture.camera};
-    still.item.style = &picture.style_view;
-    still.item.sides = picture.parts[part].sides;
-    return still;
 }
 
 double area_of(const Surfaces& surfaces) noexcept {

@@ -60,7 +60,7 @@ struct MadeParts {
     explicit MadeParts(Pool& pool) : still_key(&pool), lines_key(&pool), parts(&pool) {}
 
     std::optional<Marks> marks; // the marks as they were planned
-    String still_key;           // the key of the drawing, see key_of_still(); empty if all marks were placed
+    Vector<double> still_key;   // the key of the drawing, see key_of_still(); empty if all marks were placed
     String lines_key;           // the key of the lines, see key_of_lines()
     bool has_lines = false;
     Vector<Part> parts;

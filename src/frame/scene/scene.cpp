@@ -10,6 +10,7 @@
 // 6. add_turned_runs: normals and clusters of the other sides
 #include "frame/scene/scene.h"
 
+#include "frame/scene/still.h"
 #include "geometry/unit.h"
 #include "marks/point_set.h"
 
@@ -70,7 +71,8 @@ void check_item(std::span<const Item> items, std::int64_t index) {
 void check_still(const Item& item, const Camera& camera, std::int64_t index) {
     const base::Array<double>& made_for = item.set->still;
     if (made_for.empty()) return;
-    const base::Array<double> key = still_key(item.set->layers.memory(), camera, item);
+    const base::Array<double> key =
+        still_key(item.set->layers.memory(), {camera, item.style, item.both_sides, item.transform});
     if (key.size() != made_for.size() || !std::equal(key.begin(), key.end(), made_for.begin()))
         fail(Status::invalid_argument,
              "items[%lld].point_set has only the marks that another camera, transform or style needs; make it by "
@@ -397,40 +399,6 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& given, draw
     add_turned_runs(scene);
     std::int64_t places = 0;
     for (Run& run : scene.runs) run.first_place = std::exchange(places, places + run.places());
-}
-
-base::Array<double> still_key(base::Memory& memory, const Camera& camera, const Item& item) {
-    base::Array<double> key(memory);
-    const auto add = [&](auto number) { key.push_back(static_cast<double>(number)); };
-    for (const glm::dmat4& matrix : {camera.view, camera.projection, item.transform})
-        for (int i = 0; i < 16; ++i) add(matrix[i / 4][i % 4]);
-    for (int i = 0; i < 4; ++i) add(camera.viewport[i]);
-    add(camera.depth);
-    add(item.both_sides);
-    const Style& style = item.style;
-    for (int i = 0; i < 3; ++i) add(style.light[i]);
-    add(style.tone);
-    add(style.tone_rule);
-    add(style.tone_curve);
-    add(style.light_space);
-    add(style.visibility);
-    add(style.hidden_lines);
-    add(style.tone_exponent);
-    add(style.tone_fade);
-    add(style.fill_light);
-    add(style.zoom_reference);
-    add(style.zoom_exponent);
-    for (const LayerStyle& layer : style.layers) {
-        add(layer.kind);
-        add(layer.shown);
-        add(layer.contours);
-        add(layer.shape);
-        add(layer.share);
-        add(layer.radius);
-        add(layer.radius_zoom);
-        add(layer.hatch_tone_begin);
-    }
-    return key;
 }
 
 SingleView see(const Item& item, const Camera& camera) {

@@ -218,10 +218,6 @@ struct Scene {
     [[nodiscard]] std::int64_t bytes() const noexcept { return items.bytes() + runs.bytes() + turned_normal.bytes(); }
 };
 
-// Returns the numbers of a camera and an item that decide which marks the item's drawing needs. Inks, lines and paper
-// decide nothing.
-[[nodiscard]] base::Array<double> still_key(base::Memory& memory, const Camera& camera, const Item& item);
-
 // Sets lens, camera, items and runs of the scene, and window, paper, layers, items, runs and poses of the drawing. The
 // drawing has a layer of front ink for each run. In a published drawing, each is followed by a layer of contours.
 // Throws Error{invalid_argument}.

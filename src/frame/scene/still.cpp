@@ -4,6 +4,7 @@
 #include "frame/scene/ink.h"
 
 #include <cmath>
+#include <string_view>
 
 namespace hrbfnpr::frame {
 namespace {
@@ -23,6 +24,42 @@ constexpr NormalCone cone_of_tone{0.99026807F, 0.13917310F};
 }
 
 } // namespace
+
+base::Array<double> still_key(base::Memory& memory, const Still& still) {
+    base::Array<double> key(memory);
+    const auto add = [&](auto number) { key.push_back(static_cast<double>(number)); };
+    for (const glm::dmat4& matrix : {still.camera.view, still.camera.projection, still.transform})
+        for (int i = 0; i < 16; ++i) add(matrix[i / 4][i % 4]);
+    for (int i = 0; i < 4; ++i) add(still.camera.viewport[i]);
+    add(still.camera.depth);
+    add(still.both_sides);
+    const Style& style = still.style;
+    for (int i = 0; i < 3; ++i) add(style.light[i]);
+    add(style.tone);
+    add(style.tone_rule);
+    add(style.tone_curve);
+    add(style.light_space);
+    add(style.visibility);
+    add(style.hidden_lines);
+    add(style.tone_exponent);
+    add(style.tone_fade);
+    add(style.fill_light);
+    add(style.zoom_reference);
+    add(style.zoom_exponent);
+    for (const LayerStyle& layer : style.layers) {
+        add(layer.kind);
+        add(layer.shown);
+        add(layer.contours);
+        add(layer.shape);
+        add(layer.share);
+        add(layer.radius);
+        add(layer.radius_zoom);
+        add(layer.hatch_tone_begin);
+        for (const char letter : std::string_view(layer.name != nullptr ? layer.name : "")) add(letter);
+        add(layer.name != nullptr); // Ends the name.
+    }
+    return key;
+}
 
 StillView::StillView(base::Memory& memory, const Still& still, const geometry::Bounds& bounds, double unit)
     : origin(bounds.centre() / unit) {

@@ -18,6 +18,9 @@ struct Still {
     glm::dmat4 transform{1.0};
 };
 
+// Returns the numbers of a drawing that decide which marks it needs. Inks, lines and paper decide nothing.
+[[nodiscard]] base::Array<double> still_key(base::Memory& memory, const Still& still);
+
 // A surface as the camera of a still picture sees it.
 struct StillView {
     // `bounds` is the box around the surface, in the caller's unit. `unit` is the unit of the places that are asked
