@@ -39,9 +39,9 @@ hrbfnpr_line_set_info defaults() noexcept {
 
 namespace {
 
-// The number of evaluations for which a model is prepared. It is large, because each frame evaluates the model again
-// for its camera.
-constexpr double expected_evaluations = 1e6;
+// The number of evaluations for which a model is prepared. A model of many sheets is evaluated ten million times: most
+// places ask for two sheets or more. Each frame evaluates the model again for its camera.
+constexpr double expected_evaluations = 5e6;
 constexpr std::int64_t most_lines = 65536;
 
 // Owns the arrays that the requests point to, until the line set is made.
