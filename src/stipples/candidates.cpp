@@ -346,11 +346,12 @@ void project_trials(const marks::Site& site, const ClassifiedCells& classified, 
     return static_cast<double>(off) > stipple_tuning.most_off_surface * static_cast<double>(place.size());
 }
 
-// Moves a projection by one more step. Returns whether it needs another step. Sets the cell of the projection to -1 if
-// the projection is not a candidate.
-[[nodiscard]] bool refine_projection(const marks::Site& site, const ClassifiedCells& classified, double distance,
-                                     const glm::dvec3& gradient, bool first, Projection& projection,
-                                     std::int64_t& strayed) noexcept {
+// The fate of a projection after a step.
+enum class AfterStep : std::uint8_t { done, goes_on, strayed };
+
+// Moves a projection by one more step. Sets the cell of the projection to -1 if the projection is not a candidate.
+[[nodiscard]] AfterStep refine_projection(const marks::Site& site, const ClassifiedCells& classified, double distance,
+                                          const glm::dvec3& gradient, bool first, Projection& projection) noexcept {
     const SurfaceCells& cells = classified.cells;
     const glm::dvec3 place = cells.grid.origin + glm::dvec3(projection.position);
     const bool near = std::abs(distance) <= cells.band;
@@ -368,20 +369,20 @@ void project_trials(const marks::Site& site, const ClassifiedCells& classified, 
             const glm::dvec3 at = place - 2.0 * distance / square * across;
             projection.cell = first && square > 0.01 ? cell_of(classified, at) : -1;
             projection.position = glm::vec3(at - cells.grid.origin);
-            if (projection.cell >= 0 && classified.kind(projection.cell) != CellKind::flat) return true;
+            if (projection.cell >= 0 && classified.kind(projection.cell) != CellKind::flat) return AfterStep::goes_on;
             projection.cell = -1;
-            return false;
+            return AfterStep::done;
         }
     }
     const glm::dvec3 at = near ? place - distance * normal : place;
     const std::int32_t cell = near && site.implicit.contains(at, normal) ? cell_of(classified, at) : -1;
     if (cell < 0 || classified.kind(cell) == CellKind::flat) {
-        strayed += cell < 0 ? 1 : 0;
         projection.cell = -1;
-        return false;
+        return cell < 0 ? AfterStep::strayed : AfterStep::done;
     }
     projection = {cell, projection.ticket, glm::vec3(at - cells.grid.origin), packed(normal), true};
-    return std::abs(distance) > stipple_tuning.surface_tolerance * cells.grid.side;
+    const bool is_far = std::abs(distance) > stipple_tuning.surface_tolerance * cells.grid.side;
+    return is_far ? AfterStep::goes_on : AfterStep::done;
 }
 
 // Moves the projections from index `first` on by further steps, if one step is not enough for them.
@@ -397,15 +398,21 @@ void refine_projections(const marks::Site& site, const ClassifiedCells& classifi
         if (layer.all_bent || all[i].bent) bent.push_back(i);
     geometry::VecArray place(site.memory());
     marks::FieldSamples field(site.memory());
+    base::Array<AfterStep> after(site.memory());
     for (int step = 0; step < stipple_tuning.most_steps && !bent.empty(); ++step) {
         place.clear();
         for (const std::int64_t i : bent) place.push_back(classified.cells.grid.origin + glm::dvec3(all[i].position));
         evaluate(site, place, field);
+        after.resize_for_overwrite(bent.size());
+        site.work.for_chunks(bent.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t k = begin; k < end; ++k)
+                after[k] =
+                    refine_projection(site, classified, field.distance(k), field.gradient[k], step == 0, all[bent[k]]);
+        });
+        layer.strayed += std::count(after.begin(), after.end(), AfterStep::strayed);
         std::int64_t left = 0;
         for (std::int64_t k = 0; k < bent.size(); ++k)
-            if (refine_projection(site, classified, field.distance(k), field.gradient[k], step == 0, all[bent[k]],
-                                  layer.strayed))
-                bent[left++] = bent[k];
+            if (after[k] == AfterStep::goes_on) bent[left++] = bent[k];
         bent.resize(left);
     }
     all.resize(std::remove_if(all.begin() + first, all.end(), [](const Projection& p) { return p.cell < 0; }) -
