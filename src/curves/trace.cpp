@@ -22,6 +22,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace hrbfnpr::curves {
@@ -747,9 +749,39 @@ base::Array<Bracket> add_curves_from(TraceState& state, const base::Array<EdgeCr
     return add_curves_from(state, edges);
 }
 
+// The part of a surface around changes of sign. A mesh of this domain has no cells far from them.
+class NearChanges final : public implicit::Domain {
+public:
+    NearChanges(base::Memory& memory, const base::Array<Bracket>& changes) : middle_(memory), half_(memory) {
+        double longest = 0.0;
+        for (const Bracket& change : changes) {
+            middle_.push_back(0.5 * (change.negative + change.positive));
+            half_.push_back(0.5 * glm::abs(change.positive - change.negative));
+            longest = std::max(longest, glm::distance(change.negative, change.positive));
+        }
+        grid_.emplace(middle_, std::max(0.5 * longest, std::numeric_limits<double>::min()));
+    }
+
+    [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& /*gradient*/) const override {
+        return has_no_surface_in(place, 0.0) ? 1.0 : -1.0;
+    }
+    [[nodiscard]] bool has_no_surface_in(const glm::dvec3& centre, double half) const noexcept override {
+        bool found = false;
+        grid_->around({centre - half, centre + half}, [&](std::int64_t at) {
+            const std::int64_t i = grid_->index(at);
+            found = found || glm::all(glm::lessThanEqual(glm::abs(centre - middle_[i]), half_[i] + half));
+        });
+        return !found;
+    }
+
+private:
+    geometry::VecArray middle_, half_;        // the box around each change: its middle, and half its size
+    std::optional<geometry::PointGrid> grid_; // the middles
+};
+
 // Meshes the surface again, with smaller cells, around changes of sign without a curve. Smaller cells also separate
-// parts that larger cells connect by mistake, for example where |grad f| nearly vanishes. Returns the number of changes
-// of sign that remain.
+// parts that larger cells connect by mistake, for example where |grad f| nearly vanishes. The mesh need not be exact,
+// because crossings are moved onto curves. Returns the number of changes of sign that remain.
 std::int64_t trace_on_finer_mesh(TraceState& state, const base::Array<Bracket>& lost) {
     const base::Work work = state.work.without_progress();
     const SurfaceMesh& mesh = state.mesh;
@@ -768,6 +800,7 @@ std::int64_t trace_on_finer_mesh(TraceState& state, const base::Array<Bracket>& 
         else
             *box = {glm::min(box->min, own.min), glm::max(box->max, own.max)};
     }
+    const NearChanges near(work.memory, lost);
     base::List<base::Array<EdgeCrossing>> found(work.memory); // the crossings in each box
     for (std::int64_t b = 0; b < boxes.size(); ++b) found.add(work.memory);
     const auto cross_in_box = [&](const base::Work& with, std::int64_t b) {
@@ -776,6 +809,9 @@ std::int64_t trace_on_finer_mesh(TraceState& state, const base::Array<Bracket>& 
         settings.region = {glm::max(box.min, mesh.region.min), glm::min(box.max, mesh.region.max)};
         settings.side =
             std::max(mesh.side / curve_tuning.closer, glm::length(settings.region.size()) / curve_tuning.most_cells);
+        settings.tolerance = curve_tuning.close * settings.side / state.level.surface().diagonal();
+        settings.domain = &near;
+        settings.block_side = curve_tuning.cells_of_block;
         const SurfaceMesh part = triangulate(with, state.level.surface(), seeds, settings);
         base::Array<double> at_vertices(with.memory);
         state.level.at_vertices(with, part, at_vertices);

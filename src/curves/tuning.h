@@ -71,6 +71,9 @@ struct CurveTuning {
     // most `most_cells` along the diagonal of a box. Larger: more time, fewer curves missed.
     double closer = 8.0;
     double most_cells = 128.0;
+    // The finer mesh has no cells in blocks that are far from all changes of sign. This is the side of a block in
+    // cells. Larger: fewer questions where the changes are, but more cells.
+    std::int64_t cells_of_block = 4;
     // If more changes of sign than this have no curve, smaller cells are not tried, because the surface is too
     // irregular for any cells.
     std::int64_t most_lost = 2000;

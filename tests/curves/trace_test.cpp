@@ -238,6 +238,40 @@ TEST(Trace, EndsWhereTheFunctionIsNaN) {
         expect_finite(Contours(runtime(), levelled, eye.view()));
 }
 
+// A spherical shell with its second derivatives.
+test::AnyField shell_of(double thickness) {
+    return {test::cube(1.0), [=](const glm::dvec3& p) {
+                test::Field field = test_shapes::Shell{thickness}(p);
+                const double r = glm::length(p);
+                if (r == 0.0) return field;
+                const double across = glm::dot(field.gradient, p) / (r * r);
+                field.hessian =
+                    test::operator+(test::identity(across), test::outer(p / r, p / r, 2.0 / thickness - across));
+                return field;
+            }};
+}
+
+// Where the wall is thinner than a cell, the mesh is torn, and changes of sign on it have no curve. A finer mesh is
+// made around them, and finds all curves.
+TEST(Trace, FindsCurvesOfThinWallsOnAFinerMesh) {
+    const test::AnyField shell = shell_of(0.1);
+    const Meshed meshed(runtime(), shell, {{1.0, 0.0, 0.0}, {0.9, 0.0, 0.0}}, 0.15);
+    const Contours found(runtime(), meshed, Eye::at({1.0, 0.3, 0.2}, 3.0, false).view());
+    EXPECT_EQ(found.report.missed, 0);
+    EXPECT_EQ(found.curves.count(), 2);
+}
+
+// The finer mesh of the whole box around these changes takes 77 590 evaluations.
+TEST(Trace, MeshesAgainOnlyAroundChangesWithoutACurve) {
+    const test::AnyField shell = shell_of(0.05);
+    const Meshed meshed(runtime(), shell, {{1.0, 0.0, 0.0}, {0.95, 0.0, 0.0}}, 0.1);
+    shell.evaluations = 0;
+    const Contours found(runtime(), meshed, Eye::at({1.0, 0.3, 0.2}, 3.0, false).view());
+    EXPECT_EQ(found.report.missed, 0);
+    EXPECT_GT(shell.evaluations, 10'000); // otherwise no finer mesh was made
+    EXPECT_LT(shell.evaluations, 50'000);
+}
+
 TEST(Trace, FindsNothingOnAnEmptyMesh) {
     const test::SquareSphere sphere;
     const Meshed meshed(runtime(), sphere, {}, 0.08);
