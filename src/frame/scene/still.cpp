@@ -9,15 +9,6 @@
 namespace hrbfnpr::frame {
 namespace {
 
-// A cone of normals around a given one, by the cosine and the sine of its half angle.
-struct NormalCone {
-    float cosine, sine;
-};
-// The normals within the reach of a place: 20 degrees.
-constexpr NormalCone cone_of_surface{0.93969262F, 0.34202014F};
-// The normals that decide the tone of the marks at a place: 8 degrees.
-constexpr NormalCone cone_of_tone{0.99026807F, 0.13917310F};
-
 // Returns whether a part of the surface may face the eye, or, if `back`, may face away.
 [[nodiscard]] bool may_face(const ClusterView& at, bool back) noexcept {
     return back ? at.nu_max > 0.0F : at.nu_min < 0.0F;
@@ -86,8 +77,8 @@ ClusterView StillView::view(const glm::dvec3& place, const glm::dvec3& normal, d
     const glm::vec3 axis(normal);
     extent.radius = static_cast<float>(reach);
     extent.centre = {centre.x, centre.y, centre.z};
-    const NormalCone& cone = for_tone ? cone_of_tone : cone_of_surface;
-    extent.cone = {{axis.x, axis.y, axis.z}, cone.cosine, cone.sine};
+    const float angle = for_tone ? scene_tuning.still_tone_cone : scene_tuning.still_surface_cone;
+    extent.cone = {{axis.x, axis.y, axis.z}, std::cos(angle), std::sin(angle)};
     return view_cluster(extent, sight, lens, frustum);
 }
 

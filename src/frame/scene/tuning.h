@@ -41,6 +41,11 @@ struct SceneTuning {
     // A still picture needs marks outside of it up to this share of its diagonal. Larger: more marks are placed, and
     // strokes that leave the picture end farther outside.
     float still_margin = 0.02F;
+    // The largest angles, in radians, between a given normal and the normals around it: those within the reach of a
+    // place (20 degrees), and those that decide the tone of the marks at a place (8 degrees). Larger: more marks are
+    // placed.
+    float still_surface_cone = 0.34906585F;
+    float still_tone_cone = 0.13962634F;
     // Marks whose |n . v| is larger than this are not near a contour of a still picture. Larger: more splats are
     // placed.
     float still_rim_nu = 0.2F;
