@@ -184,6 +184,8 @@ struct VisibleCluster {
     float pixel_curvature; // converts a curvature in the set's unit into one per pixel
     // All marks are in the picture, none is near a contour, and all face the eye or all face away.
     bool is_uniform;
+    // Marks with a larger square of n . v are farther from the contour than halos reach.
+    float halo_nu_squared;
 
     [[nodiscard]] std::uint32_t mark(std::int64_t i) const noexcept {
         return blocks[i / MarkBlock::size].mark[i % MarkBlock::size];
@@ -274,6 +276,14 @@ struct VisibleCluster {
     return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(visible.cluster.count)));
 }
 
+// Returns an upper bound for the square of n . v of marks that get halos. No curvature of the map is larger than its
+// Frobenius norm.
+[[nodiscard]] float largest_halo_nu_squared(const marks::NormalVariation& turn, float pixel_curvature) noexcept {
+    const auto& s = turn.shape;
+    const float squares = s[0] * s[0] + s[3] * s[3] + s[5] * s[5] + 2.0F * (s[1] * s[1] + s[2] * s[2] + s[4] * s[4]);
+    return 2.001F * layer_tuning.contour_band * std::sqrt(squares) * pixel_curvature;
+}
+
 // Sets the halo of a splat near the contour. The halo starts at the contour, and must not be nearer to the eye than the
 // contour's own line, even where the depth along that line changes fast. The contour's direction is conjugate to the
 // line of sight, because the normal stays perpendicular to the line of sight along the contour. [Koenderink 1984, "What
@@ -283,7 +293,8 @@ void set_halo(const RunView& v, const VisibleCluster& visible, const ProjectedMa
     const float nu = projected.nu[i];
     const float width = v.item.style.halo_width;
     c.halo = 0.0F;
-    if (!(width > 0.0F) || visible.cluster.max_curvature < 0.0F) return;
+    // `away` below is at least nu^2 / (2 bend), which is too large for most marks.
+    if (!(width > 0.0F) || visible.cluster.max_curvature < 0.0F || nu * nu > visible.halo_nu_squared) return;
     const MarkBlock& m = visible.blocks[i / MarkBlock::size];
     const std::int64_t at = i % MarkBlock::size;
     const glm::vec3 n = m.normal_at(at);
@@ -368,13 +379,19 @@ void add_splats(const RunView& v, const VisibleCluster& visible, const Projected
     const Style& style = v.item.style;
     if (style.tone == Tone::callback)
         return v.all.tau.data() + v.run.first_place + visible.cluster.block * MarkBlock::size;
+    if (style.tone != Tone::light) {
+        std::fill_n(scratch, count, 0.0F);
+        return scratch;
+    }
     const LightTone tone(style);
-    const Light& light = v.sight.view_transform.light;
-    const bool soft = v.run.has_tone_normals();
-    for (std::int64_t i = 0; i < count; ++i)
-        scratch[i] = style.tone != Tone::light
-                         ? 0.0F
-                         : tone(soft ? lit(light, v.run.tone_normal_of(visible.mark(i))) : projected.lit[i]);
+    const float* lit_marks = projected.lit;
+    if (v.run.has_tone_normals()) {
+        // The normals are scattered in memory. This short loop lets the processor read several at the same time.
+        const Light& light = v.sight.view_transform.light;
+        for (std::int64_t i = 0; i < count; ++i) scratch[i] = lit(light, v.run.tone_normal_of(visible.mark(i)));
+        lit_marks = scratch;
+    }
+    for (std::int64_t i = 0; i < count; ++i) scratch[i] = tone(lit_marks[i]);
     return scratch;
 }
 
@@ -430,8 +447,12 @@ void gather_cluster(const RunView& v, const marks::Cluster& cluster, const Proje
     const std::int64_t marks = cluster.count;
     Counts& counts = out.counts;
     counts.marks += marks;
-    VisibleCluster visible{cluster, v.run.clusters->block.data() + cluster.block,
-                           view_cluster(cluster, v.sight, v.scene.lens, v.all.frustum), 0.0F, false};
+    VisibleCluster visible{cluster,
+                           v.run.clusters->block.data() + cluster.block,
+                           view_cluster(cluster, v.sight, v.scene.lens, v.all.frustum),
+                           0.0F,
+                           false,
+                           0.0F};
     const ClusterView& view = visible.view;
     const float reach = (v.run.draws_front ? v.run.discs.front_ink(view.pixels_per_unit) : 0.0F) + soft_rim;
     if (view.beyond > reach) {
@@ -446,6 +467,7 @@ void gather_cluster(const RunView& v, const marks::Cluster& cluster, const Proje
     if (view.inside && view.nu_max < -band) counts.front += marks;
     if (view.inside && view.nu_min > band) counts.back += marks;
     visible.is_uniform = view.inside && (view.nu_max < -band || view.nu_min > band);
+    visible.halo_nu_squared = largest_halo_nu_squared(cluster, visible.pixel_curvature);
     const Selection selection = selection_of(v, visible, reach);
     const bool tone = v.run.draws_front && v.run.shape != Shape::hatch && v.run.draws_direction(cluster.direction) &&
                       view.nu_min < 0.0F;

@@ -408,11 +408,10 @@ SingleView see(const Item& item, const Camera& camera) {
     return {make_lens(own), view_of(item, own)};
 }
 
-glm::vec3 Run::tone_normal_of(std::int64_t mark) const noexcept {
-    if (!has_tone_normals() || (is_posed() && posed_direction == nullptr)) return normal_of(mark);
+glm::vec3 Run::posed_tone_normal_of(std::int64_t mark) const noexcept {
+    if (!has_tone_normals() || posed_direction == nullptr) return normal_of(mark);
     const glm::vec3 soft = marks::vector_at(marks->tone_normal, mark);
     const float side = turned ? -1.0F : 1.0F;
-    if (!is_posed()) return side * soft;
     const glm::vec3 n = marks::vector_at(marks->normal, mark);
     const glm::vec3 d = marks::vector_at(marks->direction, mark);
     const glm::vec3 along = vector_of(posed_direction, mark);

@@ -172,7 +172,10 @@ struct Run {
     }
     [[nodiscard]] bool has_tone_normals() const noexcept { return !marks->tone_normal.empty(); }
     // Returns the normal for tone. In a posed layer, it is rotated together with normal and direction.
-    [[nodiscard]] glm::vec3 tone_normal_of(std::int64_t mark) const noexcept;
+    [[nodiscard]] glm::vec3 tone_normal_of(std::int64_t mark) const noexcept {
+        if (!has_tone_normals() || is_posed()) return posed_tone_normal_of(mark);
+        return (turned ? -1.0F : 1.0F) * marks::vector_at(marks->tone_normal, mark);
+    }
     // Returns the radius of the ink of a front mark, given by its index in the layer.
     [[nodiscard]] float front_ink(std::int64_t mark, float pixels_per_unit) const noexcept {
         const float radius = discs.front_ink(pixels_per_unit);
@@ -180,6 +183,8 @@ struct Run {
     }
 
 private:
+    // Returns the normal for tone of a posed layer, or the normal of a layer without normals for tone.
+    [[nodiscard]] glm::vec3 posed_tone_normal_of(std::int64_t mark) const noexcept;
     [[nodiscard]] glm::vec3 vector_of(const float* all, std::int64_t mark) const noexcept {
         HRBFNPR_ASSERT(mark >= 0 && mark < count);
         return {all[3 * mark], all[3 * mark + 1], all[3 * mark + 2]};
