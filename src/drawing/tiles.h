@@ -87,6 +87,10 @@ public:
     [[nodiscard]] std::int32_t columns() const noexcept { return columns_; }
     [[nodiscard]] std::int32_t rows() const noexcept { return rows_; }
     [[nodiscard]] std::int64_t tiles() const noexcept { return std::int64_t{columns_} * rows_; }
+    // Returns whether certainly no disc touches a tile.
+    [[nodiscard]] bool is_empty(std::int64_t tile) const noexcept {
+        return large_.empty() && offsets_[tile] == offsets_[tile + 1];
+    }
     // Returns an upper bound for the number of discs in a tile.
     [[nodiscard]] std::int64_t largest_tile_count() const noexcept {
         std::int64_t most = 0;

@@ -56,6 +56,7 @@ struct Canvas {
     std::int64_t number;
     glm::ivec2 first; // the image's pixel at the tile's top-left corner
     Rect rect;        // the pixels of the image that the tile draws
+    bool is_blank;    // no dot and no segment touches the tile
     float* planes;
     StrokePlanes strokes;
     base::Array<std::uint32_t>& numbers; // working memory
@@ -153,8 +154,10 @@ void store(const Job& job, const Canvas& canvas) noexcept {
         const RowColors colors{
             {paper.x, paper.y, paper.z, paper.w}, {ink.x, ink.y, ink.z, ink.w}, !is_premultiplied(image.format)};
         for (std::int32_t y = rect.top; y < rect.bottom; ++y) {
-            job.loops.store(colors, canvas.planes + canvas.row_begin(y) + rect.left, rect.right - rect.left,
-                            pixels.data());
+            // The rows of a tile without ink are alike.
+            if (y == rect.top || !canvas.is_blank)
+                job.loops.store(colors, canvas.planes + canvas.row_begin(y) + rect.left, rect.right - rect.left,
+                                pixels.data());
             std::memcpy(image.pixel(rect.left, y), pixels.data(),
                         std::size_t{4} * static_cast<std::size_t>(rect.right - rect.left));
         }
@@ -317,7 +320,8 @@ void Raster::draw(const Drawing& drawing, const Image& image, const DrawSettings
     std::atomic<std::int64_t> next{0};
     runtime_.parallel.for_each(workers, [&](std::int64_t worker) {
         float* const own = planes_.data() + worker * planes * plane;
-        Canvas canvas{0, {}, {}, own, {own + cover * plane, own + ink * plane, nullptr}, numbers_[worker].of_tile};
+        Canvas canvas{
+            0, {}, {}, true, own, {own + cover * plane, own + ink * plane, nullptr}, numbers_[worker].of_tile};
         if (!drawing.strokes.empty()) {
             canvas.strokes.overlaps = &unions_[worker];
             std::fill_n(canvas.strokes.cover, plane, 0.0F);
@@ -330,6 +334,8 @@ void Raster::draw(const Drawing& drawing, const Image& image, const DrawSettings
                            std::min(canvas.first.x + side, job.drawn.right),
                            std::min(canvas.first.y + side, job.drawn.bottom)};
             if (canvas.rect.empty()) continue;
+            canvas.is_blank = job.tiles.is_empty(canvas.number) &&
+                              (published || drawing.strokes.empty() || drawing.segment_tiles.is_empty(canvas.number));
             draw_tile(job, canvas, prepare(job, canvas));
             store(job, canvas);
             if (job.settings.depth || job.settings.id || job.settings.mark_class) store_outputs(job, canvas);
