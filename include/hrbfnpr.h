@@ -2115,8 +2115,8 @@ typedef struct hrbfnpr_line_style {
     float dash;           /* length of a dash of DASHED parts, in hidden_widths; above 0, up to 16384; default 5 */
     float gap;            /* length of a gap between dashes, in hidden_widths; above 0, up to 16384; default 3 */
     float shortest;       /* length below which parts with a free end, and hidden parts, are not drawn, in pixels;
-                             0 .. 16384; default 2.  Feature lines that are found for every drawing are at least 0.01
-                             diagonals long in any case */
+                             0 .. 16384; default 2.  Feature lines that are found for every drawing have a length of at
+                             least 0.01 diagonals in any case */
     float fade;           /* how much paler a line is where its strength is `lower` than where it is `upper`, 0 .. 1;
                              default 1; 0 = it does not fade */
     double lower;         /* least strength at which a line goes on, as in hrbfnpr_line_desc; 0 or more; default 0.  If
@@ -2728,7 +2728,7 @@ typedef struct hrbfnpr_mesh_info {
     int64_t welded_vertices;      /* vertices at the place of another, joined with it; on borders also those within 1e-6
                                      diagonals of another */
     int64_t degenerate_faces;     /* faces left out because they have no area beyond the rounding of single precision.
-                                     The face across the longest side is cut in two at the corner on it, so that no slit
+                                     The face across the largest side is cut in two at the corner on it, so that no slit
                                      stays */
     int64_t repeated_faces;       /* faces left out because another has the same corners; both where two solids share a
                                      wall */

@@ -707,7 +707,7 @@ class MeshInfo:
         Vertices at the place of another, joined with it; on borders also those within 1e-6 diagonals of another.
     degenerate_faces : int
         Faces left out because they have no area beyond the rounding of single precision. The face across the
-        longest side is cut in two at the corner on it, so that no slit stays.
+        largest side is cut in two at the corner on it, so that no slit stays.
     repeated_faces : int
         Faces left out because another has the same corners; both where two solids share a wall.
     turned_faces : int

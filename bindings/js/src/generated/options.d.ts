@@ -1104,7 +1104,7 @@ export interface LineStyle {
   gap?: number;
   /**
    * length below which parts with a free end, and hidden parts, are not drawn, in pixels; 0 .. 16384; default 2.
-   * Feature lines that are found for every drawing are at least 0.01 diagonals long in any case
+   * Feature lines that are found for every drawing have a length of at least 0.01 diagonals in any case
    */
   shortest?: number;
   /**
@@ -1547,7 +1547,7 @@ export interface MeshInfo {
   /** vertices at the place of another, joined with it; on borders also those within 1e-6 diagonals of another */
   readonly weldedVertices: number;
   /**
-   * faces left out because they have no area beyond the rounding of single precision. The face across the longest
+   * faces left out because they have no area beyond the rounding of single precision. The face across the largest
    * side is cut in two at the corner on it, so that no slit stays
    */
   readonly degenerateFaces: number;

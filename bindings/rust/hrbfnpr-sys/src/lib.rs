@@ -3037,8 +3037,8 @@ pub struct hrbfnpr_line_style {
     /// length of a gap between dashes, in hidden_widths; above 0, up to 16384; default 3
     pub gap: f32,
     /// length below which parts with a free end, and hidden parts, are not drawn, in pixels; 0 ..
-    /// 16384; default 2. Feature lines that are found for every drawing are at least 0.01
-    /// diagonals long in any case
+    /// 16384; default 2. Feature lines that are found for every drawing have a length of at least
+    /// 0.01 diagonals in any case
     pub shortest: f32,
     /// how much paler a line is where its strength is `lower` than where it is `upper`, 0 .. 1;
     /// default 1; 0 = it does not fade
@@ -3952,7 +3952,7 @@ pub struct hrbfnpr_mesh_info {
     /// diagonals of another
     pub welded_vertices: i64,
     /// faces left out because they have no area beyond the rounding of single precision. The face
-    /// across the longest side is cut in two at the corner on it, so that no slit stays
+    /// across the largest side is cut in two at the corner on it, so that no slit stays
     pub degenerate_faces: i64,
     /// faces left out because another has the same corners; both where two solids share a wall
     pub repeated_faces: i64,
