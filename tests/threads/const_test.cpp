@@ -220,6 +220,20 @@ void add_point_sets(std::map<std::string, Call>& calls) {
         const auto* first = static_cast<const std::uint8_t*>(view.data);
         result.add(Bytes(first, first + 12 * view.count));
     });
+    CALL(hrbfnpr_point_set_generate_still) {
+        const auto item = made(hrbfnpr_item_init);
+        auto camera = made(hrbfnpr_camera_init);
+        status = hrbfnpr_picture_get_camera(s.picture.get(), &camera, error);
+        Generation desc = three_layers(60);
+        hrbfnpr_point_set* set = nullptr;
+        status = hrbfnpr_point_set_generate_still(s.context.get(), s.model.get(), desc.get(), &item, &camera, nullptr,
+                                                  &set, error);
+        const PointSet owner(set);
+        hrbfnpr_array view{};
+        hrbfnpr_point_set_view(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, &view, nullptr);
+        const auto* first = static_cast<const std::uint8_t*>(view.data);
+        result.add(Bytes(first, first + 12 * view.count));
+    });
     CALL(hrbfnpr_point_set_step_patches) {
         std::vector<double> corner(60);
         const auto corners = out(corner, 12);
