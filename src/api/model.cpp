@@ -11,6 +11,7 @@
 #include "api/views.h"
 #include "fit/local_factors.h"
 #include "generate/find_trim.h"
+#include "surface/tuning.h"
 
 #include <algorithm>
 
@@ -82,6 +83,25 @@ const implicit::Implicit& hrbfnpr_model::implicit_for(double evaluations, const 
     if (!ready.tried) ready.implicit = std::move(made);
     ready.tried = true;
     return ready.implicit != nullptr ? *ready.implicit : implicit();
+}
+
+const surface::RayCells* hrbfnpr_model::ray_cells_for(std::int64_t rays, const base::Progress& progress) const {
+    if (untrimmed_ != nullptr) return untrimmed_->ray_cells_for(rays, progress);
+    const implicit::HrbfData* const hrbf = data();
+    if (hrbf == nullptr || !surface::RayCells::pay(*hrbf, rays)) return nullptr;
+    const implicit::Implicit& prepared =
+        implicit_for(surface::ray_tuning.evaluations * static_cast<double>(rays), progress);
+    if (&prepared == &implicit()) return nullptr; // the prepared function would not be accurate
+    {
+        const std::scoped_lock lock(preparing_);
+        if (ray_cells_ != nullptr) return ray_cells_.get();
+    }
+    // As in implicit_for(), no lock is held, because the caller's callbacks run here.
+    auto made = std::make_unique<surface::RayCells>(base::Work(runtime(), progress.part(0.0, 0.0)),
+                                                    static_cast<const implicit::Prepared&>(prepared), *hrbf);
+    const std::scoped_lock lock(preparing_);
+    if (ray_cells_ == nullptr) ray_cells_ = std::move(made);
+    return ray_cells_.get();
 }
 
 namespace hrbfnpr::api {

@@ -12,6 +12,7 @@
 #include "implicit/prepared.h"
 #include "implicit/sheet_tree.h"
 #include "implicit/trimmed.h"
+#include "surface/ray_cells.h"
 
 #include <memory>
 #include <mutex>
@@ -64,6 +65,10 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
     // prepares it.  Any thread may call this.
     [[nodiscard]] const hrbfnpr::implicit::Implicit& implicit_for(double evaluations,
                                                                   const hrbfnpr::base::Progress& progress) const;
+    // Returns cells for casting rays if they save time for this number of rays; otherwise, or if the model is not a
+    // prepared fit, nullptr. The first such call makes them. Any thread may call this.
+    [[nodiscard]] const hrbfnpr::surface::RayCells* ray_cells_for(std::int64_t rays,
+                                                                  const hrbfnpr::base::Progress& progress) const;
     // Returns nullptr if the model is not a single fit.
     [[nodiscard]] const hrbfnpr::implicit::HrbfData* data() const noexcept {
         const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&untrimmed().surface);
@@ -113,6 +118,7 @@ private:
         std::unique_ptr<hrbfnpr::implicit::Implicit> implicit; // null if the prepared function would not be accurate
     };
     mutable std::array<Preparation, ways> preparations_;
+    mutable std::unique_ptr<hrbfnpr::surface::RayCells> ray_cells_; // made from the prepared HRBF of preparations_
     // The prepared functions of untrimmed() with this model's trim, in the order of preparations_.
     mutable std::array<std::optional<hrbfnpr::implicit::Trimmed>, ways> ready_trimmed_;
 };

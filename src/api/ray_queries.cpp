@@ -105,7 +105,10 @@ void write_ray(const surface::RayHits& block, std::int64_t i, std::int64_t maxim
 std::int64_t cast_rays(const hrbfnpr_model& model, const Queries& origins, const Queries& directions,
                        surface::RaySettings settings, const RayOutputs& out, const base::Progress& progress) {
     const base::Runtime& runtime = model.runtime();
-    const bool estimate = settings.lipschitz == 0.0 && origins.count() > 0;
+    // A caller who gives a bound asks for steps of |f| / L.
+    const surface::RayCells* const cells =
+        settings.lipschitz == 0.0 ? model.ray_cells_for(origins.count(), progress) : nullptr;
+    const bool estimate = settings.lipschitz == 0.0 && origins.count() > 0 && cells == nullptr;
     if (estimate)
         settings.lipschitz = surface::lipschitz_estimate({runtime, progress.part(0.0, 0.1)}, model.implicit());
     surface::Rays rays(runtime.memory);
@@ -115,7 +118,10 @@ std::int64_t cast_rays(const hrbfnpr_model& model, const Queries& origins, const
                [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
                    origins.read(begin, end, rays.origin);
                    directions.read(begin, end, rays.direction);
-                   surface::cast_rays({runtime, part}, model.implicit(), settings, rays, block);
+                   if (cells != nullptr)
+                       surface::cast_rays({runtime, part}, *cells, model.implicit(), settings, rays, block);
+                   else
+                       surface::cast_rays({runtime, part}, model.implicit(), settings, rays, block);
                    for (std::int64_t i = 0; i < end - begin; ++i) {
                        write_ray(block, i, settings.maximum_hits, out, begin);
                        hit_rays += block.count[i] > 0 ? 1 : 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/cast_rays.h"
 
+#include "surface/ray_range.h"
 #include "surface/region.h"
 
 #include <algorithm>
@@ -30,11 +31,7 @@ constexpr double slack = 1.0 + 1e-9;
 struct Ray {
     enum class Phase : std::uint8_t { march, refine, done };
 
-    glm::dvec3 start{0.0};     // start of the search
-    glm::dvec3 direction{0.0}; // unit vector
-    double length = 1.0;       // length of the direction vector as given by the caller
-    double offset = 0.0;       // distance from the origin as given by the caller to the start
-    double end = 0.0;          // s at the end of the search
+    RayRange range;
     double lipschitz = 0.0;
     double at = 0.0;    // the value of s up to which the search is complete
     double value = 0.0; // f at s = `at`
@@ -69,6 +66,60 @@ bool clip(const geometry::Bounds& region, const glm::dvec3& origin, const glm::d
     return from <= to && std::isfinite(from);
 }
 
+} // namespace
+
+RayRange range_in(const geometry::Bounds& region, const RaySettings& settings, const glm::dvec3& origin,
+                  const glm::dvec3& direction) noexcept {
+    RayRange range;
+    const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+    const glm::dvec3 scaled = direction / largest; // scaled so that its square neither overflows nor underflows
+    range.length = largest * glm::length(scaled);
+    range.direction = scaled / glm::length(scaled);
+    const double last = settings.t_max * range.length;
+    double from = 0.0;
+    double to = last;
+    range.offset = settings.t_min * range.length;
+    bool meets = clip(region, origin, range.direction, range.offset, to);
+    // If the origin is far away, rounding could put the start outside the region, where f need not be defined. So the
+    // start is clamped.
+    range.start = glm::clamp(origin + range.offset * range.direction, region.min, region.max);
+    range.end = last - range.offset;
+    meets = meets && clip(region, range.start, range.direction, from, range.end);
+    range.empty = !meets;
+    return range;
+}
+
+void resize(RayHits& hits, std::int64_t count, const RaySettings& settings) {
+    hits.t.resize(count * settings.maximum_hits);
+    hits.position.resize(count * settings.maximum_hits);
+    hits.normal.resize(count * settings.maximum_hits);
+    hits.entering.resize(count * settings.maximum_hits);
+    hits.count.resize(count);
+    hits.status.resize(count);
+}
+
+void clear(RayHits& hits, const RaySettings& settings, std::int64_t begin, std::int64_t end) noexcept {
+    const std::int64_t most = settings.maximum_hits;
+    for (std::int64_t at = begin * most; at < end * most; ++at) {
+        hits.t[at] = std::numeric_limits<double>::infinity();
+        hits.position.set(at, glm::dvec3(0.0));
+        hits.normal.set(at, glm::dvec3(0.0));
+        hits.entering[at] = 0;
+    }
+}
+
+void store_hit(RayHits& hits, const RaySettings& settings, std::int64_t ray, std::int32_t h, const RayRange& range,
+               double s, const glm::dvec3& g, bool entering) noexcept {
+    const std::int64_t at = ray * settings.maximum_hits + h;
+    const double slope = glm::length(g);
+    hits.t[at] = std::clamp((range.offset + s) / range.length, settings.t_min, settings.t_max);
+    hits.position.set(at, range.at(s));
+    hits.normal.set(at, std::isfinite(slope) && slope > 0.0 ? g / slope : glm::dvec3(0.0));
+    hits.entering[at] = entering ? 1 : 0;
+}
+
+namespace {
+
 class RayBatch {
 public:
     RayBatch(const implicit::Implicit& implicit, const RaySettings& settings, double lipschitz, RayHits& hits) noexcept
@@ -76,10 +127,11 @@ public:
           lipschitz_(lipschitz), smallest_step_(settings.smallest_step * implicit.diagonal()),
           tolerance_(settings.tolerance * implicit.diagonal()) {}
 
-    void run(const Rays& rays, std::int64_t begin, std::int64_t end, const base::Progress& progress);
+    // Casts `count` rays, at most a batch. `number` returns the number of a ray of the batch among all rays.
+    template <class Number>
+    void run(const Rays& rays, std::int64_t count, Number&& number, const base::Progress& progress);
 
 private:
-    [[nodiscard]] Ray start(const glm::dvec3& origin, const glm::dvec3& direction) const noexcept;
     void pack(Ray::Phase phase) noexcept;
     void advance(Ray::Phase phase, const base::Progress& progress);
     void take_step(std::size_t i, double f) noexcept;
@@ -97,40 +149,19 @@ private:
     double lipschitz_;
     double smallest_step_;
     double tolerance_;
-    std::int64_t begin_ = 0;
 
     std::array<Ray, lanes> rays_;
+    std::array<std::int64_t, lanes> number_; // the number of each ray of the batch among all rays
     // The indices of the unfinished rays, and of the rays that are being evaluated.
     std::array<std::size_t, lanes> active_, packed_;
     std::size_t active_count_ = 0, packed_count_ = 0;
     Column x_, y_, z_, f_, gx_, gy_, gz_;
 };
 
-Ray RayBatch::start(const glm::dvec3& origin, const glm::dvec3& direction) const noexcept {
-    Ray ray;
-    const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
-    const glm::dvec3 scaled = direction / largest; // scaled so that its square neither overflows nor underflows
-    ray.length = largest * glm::length(scaled);
-    ray.direction = scaled / glm::length(scaled);
-    const double last = settings_.t_max * ray.length;
-    double from = 0.0;
-    double to = last;
-    ray.offset = settings_.t_min * ray.length;
-    bool meets = clip(region_, origin, ray.direction, ray.offset, to);
-    // If the origin is far away, rounding could put the start outside the region, where f need not be defined. So the
-    // start is clamped.
-    ray.start = glm::clamp(origin + ray.offset * ray.direction, region_.min, region_.max);
-    ray.end = last - ray.offset;
-    meets = meets && clip(region_, ray.start, ray.direction, from, ray.end);
-    ray.phase = meets ? Ray::Phase::march : Ray::Phase::done;
-    ray.lipschitz = lipschitz_;
-    return ray;
-}
-
 void RayBatch::end_with(std::size_t i, RayStatus status) noexcept {
     rays_[i].phase = Ray::Phase::done;
-    hits_.count[begin_ + static_cast<std::int64_t>(i)] = rays_[i].hits;
-    hits_.status[begin_ + static_cast<std::int64_t>(i)] = status;
+    hits_.count[number_[i]] = rays_[i].hits;
+    hits_.status[number_[i]] = status;
 }
 
 // Counts an evaluation. Returns whether its result can be used.
@@ -162,10 +193,10 @@ void RayBatch::march_on(std::size_t i, double at, double f) noexcept {
     Ray& ray = rays_[i];
     ray.at = at;
     ray.value = f;
-    if (at >= ray.end) return end_with(i, ray.hits > 0 ? RayStatus::hit : RayStatus::miss);
+    if (at >= ray.range.end) return end_with(i, ray.hits > 0 ? RayStatus::hit : RayStatus::miss);
     if (ray.evaluations >= settings_.evaluation_limit) return end_with(i, RayStatus::evaluation_limit);
     const double step = std::max(smallest_step_, std::abs(f) / ray.lipschitz);
-    ray.trial = std::min(ray.end, at + step);
+    ray.trial = std::min(ray.range.end, at + step);
     ray.phase = Ray::Phase::march;
 }
 
@@ -184,7 +215,7 @@ void RayBatch::bracket(std::size_t i, double f) noexcept {
 
 void RayBatch::take_root(std::size_t i, double f, const glm::dvec3& g) {
     Ray& ray = rays_[i];
-    const double slope = glm::dot(g, ray.direction);
+    const double slope = glm::dot(g, ray.range.direction);
     if (!count_evaluation(i, std::isfinite(f) && std::isfinite(glm::length(g)))) return;
     ((f < 0.0) == ray.inside ? ray.low : ray.high) = ray.trial;
     const double newton = ray.trial - f / slope; // NaN or infinite if the slope is 0
@@ -201,16 +232,11 @@ void RayBatch::take_root(std::size_t i, double f, const glm::dvec3& g) {
 
 void RayBatch::hit(std::size_t i, double s, const glm::dvec3& g) {
     Ray& ray = rays_[i];
-    if (!implicit_.contains(ray.start + s * ray.direction, g)) { // f changes its sign, but the surface was trimmed here
+    if (!implicit_.contains(ray.range.at(s), g)) { // f changes its sign, but the surface was trimmed here
         ray.inside = !ray.inside;
         return march_on(i, ray.far_end, ray.far_end_value);
     }
-    const std::int64_t at = (begin_ + static_cast<std::int64_t>(i)) * settings_.maximum_hits + ray.hits++;
-    const double slope = glm::length(g);
-    hits_.t[at] = std::clamp((ray.offset + s) / ray.length, settings_.t_min, settings_.t_max);
-    hits_.position.set(at, ray.start + s * ray.direction);
-    hits_.normal.set(at, std::isfinite(slope) && slope > 0.0 ? g / slope : glm::dvec3(0.0));
-    hits_.entering[at] = ray.inside ? 0 : 1;
+    store_hit(hits_, settings_, number_[i], ray.hits++, ray.range, s, g, !ray.inside);
     ray.inside = !ray.inside;
     if (settings_.maximum_hits == 1) return end_with(i, RayStatus::hit);
     march_on(i, ray.far_end, ray.far_end_value);
@@ -223,7 +249,7 @@ void RayBatch::pack(Ray::Phase phase) noexcept {
         const std::size_t i = active_[k];
         const Ray& ray = rays_[i];
         if (ray.phase != phase) continue;
-        const glm::dvec3 p = ray.start + ray.trial * ray.direction;
+        const glm::dvec3 p = ray.range.at(ray.trial);
         x_[packed_count_] = p.x;
         y_[packed_count_] = p.y;
         z_[packed_count_] = p.z;
@@ -249,20 +275,16 @@ void RayBatch::advance(Ray::Phase phase, const base::Progress& progress) {
     }
 }
 
-void RayBatch::run(const Rays& rays, std::int64_t begin, std::int64_t end, const base::Progress& progress) {
-    begin_ = begin;
+template <class Number>
+void RayBatch::run(const Rays& rays, std::int64_t count, Number&& number, const base::Progress& progress) {
     active_count_ = 0;
-    const std::int64_t hits = settings_.maximum_hits;
-    for (std::int64_t at = begin * hits; at < end * hits; ++at) {
-        hits_.t[at] = std::numeric_limits<double>::infinity();
-        hits_.position.set(at, glm::dvec3(0.0));
-        hits_.normal.set(at, glm::dvec3(0.0));
-        hits_.entering[at] = 0;
-    }
-    for (std::size_t i = 0; i < static_cast<std::size_t>(end - begin); ++i) {
-        const std::int64_t at = begin + static_cast<std::int64_t>(i);
-        rays_[i] = start(rays.origin[at], rays.direction[at]);
-        if (rays_[i].phase == Ray::Phase::done)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        const std::int64_t at = number_[i] = number(static_cast<std::int64_t>(i));
+        clear(hits_, settings_, at, at + 1);
+        rays_[i] = Ray();
+        rays_[i].range = range_in(region_, settings_, rays.origin[at], rays.direction[at]);
+        rays_[i].lipschitz = lipschitz_;
+        if (rays_[i].range.empty)
             end_with(i, RayStatus::miss); // the ray is outside the region
         else
             active_[active_count_++] = i;
@@ -279,15 +301,18 @@ void RayBatch::run(const Rays& rays, std::int64_t begin, std::int64_t end, const
 
 } // namespace
 
+void march_rays(const base::Work& work, const implicit::Implicit& implicit, const RaySettings& settings,
+                double lipschitz, const Rays& rays, const std::int32_t* which, std::int64_t count, RayHits& hits) {
+    base::OwnedObject<RayBatch> batch(work.memory, implicit, settings, lipschitz, hits);
+    for (std::int64_t begin = 0; begin < count; begin += batch_size)
+        batch->run(
+            rays, std::min(batch_size, count - begin), [&](std::int64_t i) { return which[begin + i]; }, work);
+}
+
 void cast_rays(const base::Work& work, const implicit::Implicit& implicit, const RaySettings& settings,
                const Rays& rays, RayHits& hits) {
     const std::int64_t count = rays.origin.size();
-    hits.t.resize(count * settings.maximum_hits);
-    hits.position.resize(count * settings.maximum_hits);
-    hits.normal.resize(count * settings.maximum_hits);
-    hits.entering.resize(count * settings.maximum_hits);
-    hits.count.resize(count);
-    hits.status.resize(count);
+    resize(hits, count, settings);
     if (count == 0) return;
     const bool estimate = !(settings.lipschitz > 0.0);
     const double lipschitz = estimate ? lipschitz_estimate(work.part(0.0, 0.1), implicit) : settings.lipschitz;
@@ -295,7 +320,8 @@ void cast_rays(const base::Work& work, const implicit::Implicit& implicit, const
     std::atomic<std::int64_t> done{0};
     implicit.threads(work).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
         base::OwnedObject<RayBatch> batch(work.memory, implicit, settings, lipschitz, hits);
-        batch->run(rays, begin, end, casting);
+        batch->run(
+            rays, end - begin, [begin](std::int64_t i) { return begin + i; }, casting);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
         casting.update(static_cast<double>(now) / static_cast<double>(count));
     });

@@ -51,4 +51,12 @@ struct RayHits {
 void cast_rays(const base::Work& work, const implicit::Implicit& implicit, const RaySettings& settings,
                const Rays& rays, RayHits& hits);
 
+class RayCells;
+
+// Does the same for the fit that `cells` were made for, by steps that take far fewer evaluations (search_rays.cpp).
+// Most evaluations use prepared values. `implicit` sums over all centres, and it may have a domain. Roots that prepared
+// values do not give within the tolerance are finished with it. settings.lipschitz is not used.
+void cast_rays(const base::Work& work, const RayCells& cells, const implicit::Implicit& implicit,
+               const RaySettings& settings, const Rays& rays, RayHits& hits);
+
 } // namespace hrbfnpr::surface
