@@ -211,21 +211,21 @@ RayCells::Found RayCells::find(const glm::dvec3& place) const noexcept {
 }
 
 RayCells::Line RayCells::line(const glm::dvec3& start, const glm::dvec3& direction) const noexcept {
-    return {start - corner_, direction, 1.0 / direction};
+    return {start - corner_, direction, 1.0 / direction, 1e-9 * width_ * glm::sign(direction)};
 }
 
 RayCells::Part RayCells::part(const Line& line, double from) const noexcept {
-    // The place is a little further along the line, so that it is not on the face through which the line comes.
-    const double beyond = from + 1e-9 * width_;
-    const Found found = find(line.start + beyond * line.direction);
+    // The nudge takes the place off the face through which the line comes. Without it, a line that is almost parallel
+    // to the face would stay on the face's wrong side.
+    const Found found = find(line.start + from * line.direction + line.nudge);
     double end = std::numeric_limits<double>::infinity();
     for (glm::length_t c = 0; c < 3; ++c) {
         if (line.direction[c] == 0.0) continue;
-        const double face =
-            found.width * (found.place[static_cast<std::size_t>(c)] + (line.direction[c] > 0.0 ? 1 : 0));
+        const int upper = line.direction[c] > 0.0 ? 1 : 0;
+        const double face = found.width * (found.place[static_cast<std::size_t>(c)] + upper);
         end = std::min(end, (face - line.start[c]) * line.inverse[c]);
     }
-    return {&cells_[found.cell], std::max(end, beyond)};
+    return {&cells_[found.cell], std::max(end, from + 1e-9 * width_)};
 }
 
 } // namespace hrbfnpr::surface

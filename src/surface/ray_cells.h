@@ -26,6 +26,7 @@ public:
         glm::dvec3 start;
         glm::dvec3 direction;
         glm::dvec3 inverse; // 1 / direction
+        glm::dvec3 nudge;   // a short way along each axis, in the sense of the direction
     };
 
     // The part of a line that lies in one cell.

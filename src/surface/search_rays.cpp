@@ -46,16 +46,12 @@ struct SearchRay {
     double low = 0.0;   // the bracket [low, high] of a root, and the last change of s within it
     double high = 0.0;
     double change = 0.0;
-    double far_end = 0.0; // s, f and its derivative at the far end of a bracket, where the search continues
-    double far_value = 0.0;
-    double far_slope = 0.0;
     std::int32_t evaluations = 0;
     std::int32_t hits = 0;
     bool evaluated = false;  // whether the search has evaluated f at `at`
     bool sign_known = false; // whether `inside` is set
     bool inside = false;     // whether f < 0 at s = clear_to
     bool proved = false;     // whether f has been seen to have the other sign in the bracket
-    bool has_far_end = false;
     Phase phase = Phase::search;
 };
 
@@ -217,7 +213,7 @@ void RaySearch::choose_step(SearchRay& ray, const RootBounds& bounds, double end
     ray.high = certain + margin;
     ray.change = std::numeric_limits<double>::infinity();
     ray.trial = std::clamp(ray.at - ray.value / ray.slope, ray.low, ray.high);
-    ray.proved = ray.has_far_end = false;
+    ray.proved = false;
     ray.phase = SearchRay::Phase::refine;
 }
 
@@ -243,13 +239,11 @@ void RaySearch::take_step(std::size_t i, double f, double slope) noexcept {
     if (!ray.evaluated || ray.trial <= ray.clear_to) return doubt(i); // a root was missed
     if (!may_refine(i)) return;
     ray.low = ray.clear_to;
-    ray.high = ray.far_end = ray.trial;
-    ray.far_value = f;
-    ray.far_slope = slope;
+    ray.high = ray.trial;
     ray.change = ray.high - ray.low;
     const double newton = ray.trial - f / slope;
     ray.trial = newton > ray.low && newton < ray.high ? newton : 0.5 * (ray.low + ray.high);
-    ray.proved = ray.has_far_end = true;
+    ray.proved = true;
     ray.phase = SearchRay::Phase::refine;
 }
 
@@ -312,7 +306,6 @@ void RaySearch::hit(std::size_t i, double s, const glm::dvec3& g) {
         store_hit(hits_, settings_, begin_ + static_cast<std::int64_t>(i), ray.hits++, ray.range, s, g, !ray.inside);
     ray.inside = !ray.inside;
     if (contained && settings_.maximum_hits == 1) return end_with(i, RayStatus::hit);
-    if (ray.has_far_end) return continue_from(i, ray.far_end, ray.far_value, ray.far_slope);
     continue_from(i, s, 0.0, glm::dot(g, ray.range.direction));
 }
 

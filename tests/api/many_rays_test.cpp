@@ -141,6 +141,28 @@ TEST(ManyRays, StayWithinTheirRange) {
     }
 }
 
+// Such rays lie in faces of the cells that divide the region, or nearly so.
+TEST(ManyRays, MayBeParallelToTheAxes) {
+    const Context context = make_context();
+    const Model model = fit(context, hrbfnpr::test::bumpy(1200));
+    Error error;
+    auto info = made(hrbfnpr_model_info_init);
+    EXPECT_OK(hrbfnpr_model_get_info(model.get(), &info, error));
+    const glm::dvec3 low(info.bounds_min[0], info.bounds_min[1], info.bounds_min[2]);
+    const glm::dvec3 size = glm::dvec3(info.bounds_max[0], info.bounds_max[1], info.bounds_max[2]) - low;
+    const double margin = 0.05 * glm::length(size);
+    const double width = (std::max({size.x, size.y, size.z}) + 2.0 * margin) / 16.0;
+    Bundle bundle;
+    for (int i = 0; i < 17; ++i)
+        for (int j = 0; j < 17; ++j)
+            for (const double slant : {0.0, 1e-17, -1e-17, 1e-13, -1e-9}) {
+                const glm::dvec3 place = low - margin + width * glm::dvec3(i, j, -20);
+                bundle.add(place, {slant, -slant, 1.0});
+                bundle.add({place.y, place.z, place.x}, {slant, 1.0, slant});
+            }
+    EXPECT_GT(expect_same(model, bundle, at_most(3)), 1000);
+}
+
 // The bounds of second derivatives are coarse for samples with noise, where the surface is rough.
 TEST(ManyRays, HaveTheHitsOfTheMarchOnARoughSurface) {
     const Context context = make_context();
