@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Points on the surface, from samples: the article's Table 1 against ours, marks per second, and evaluation against
-// plain sums.
+// Points on the surface, from samples: the article's Table 1 against ours, marks per second, evaluation against plain
+// sums, and rays against the march.
 // --models=DIR: a folder of PLY files with normals (head_4096.ply, ...) instead of generated surfaces.
 #include "calls.h"
 #include "peak.h"
+#include "rays.h"
 #include "read_models.h"
 #include "samples.h"
 #include "timing.h"
@@ -256,6 +257,7 @@ int main(int argc, char** argv) {
         const std::string models = bench::option(argc, argv, "--models=");
         const scenes::Context context = bench::make_context();
         run_evaluation(context.get());
+        bench::run_rays(context.get());
         run_growth(context.get());
         run_cancelling(context.get());
         run_table(context.get(), models);
