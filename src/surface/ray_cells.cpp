@@ -5,6 +5,7 @@
 // in most cells; the others are divided.
 #include "surface/ray_cells.h"
 
+#include "base/clock.h"
 #include "implicit/evaluate_all.h"
 #include "surface/region.h"
 #include "surface/tuning.h"
@@ -182,7 +183,10 @@ RayCells::RayCells(const base::Work& work, const implicit::Prepared& prepared, c
     width_ = std::max({size.x, size.y, size.z}) / ray_tuning.cells_across;
     for (glm::length_t c = 0; c < 3; ++c)
         side_[static_cast<std::size_t>(c)] = std::max(1, static_cast<std::int32_t>(std::ceil(size[c] / width_ - 1e-9)));
+    const base::Stopwatch watch;
     Builder(work, *this).run();
+    work.runtime().log(base::LogLevel::info, "rays: %lld cells made in %.3f s, %.1f MB",
+                       static_cast<long long>(cells_.size()), watch.seconds(), static_cast<double>(bytes()) / 1e6);
 }
 
 RayCells::Found RayCells::find(const glm::dvec3& place) const noexcept {
