@@ -1047,6 +1047,11 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_ray_hits_init(hrbfnpr_ray_hits* hits, uint32_
  * ray that starts on the surface may or may not have a hit there: start beyond it, with
  * t_min.  Rays may start inside.
  *
+ * A call with a few thousand rays on a fit prepares the model, as hrbfnpr_model_evaluate
+ * does (docs/accuracy.md), and is 30 to 100 times as fast, unless lipschitz is given.
+ * It finds the same hits within the tolerance.  The last bits depend on whether n is
+ * enough for that, but not on the other rays or on earlier calls.
+ *
  * origins:      n x 3, FLOAT32 or FLOAT64, finite
  * directions:   n x 3, FLOAT32 or FLOAT64, finite, of any length but 0
  * desc:         NULL = all defaults
@@ -1063,8 +1068,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, c
 /* Computes the bound on |grad f| that hrbfnpr_model_cast_rays uses if none is given.
  * For a solid of primitives it is a true bound (hrbfnpr_csg_info.lipschitz).  For other
  * models it is an estimate: 1.5 times the largest |grad f| at 24^3 points of the search
- * box.  A program that casts few rays in each call should ask for the bound once and
- * pass it on, because each call without it evaluates these points.
+ * box.  A program that casts a few rays in each call should ask for the bound once and
+ * pass it on, because each such call without it evaluates these points.
  *
  * lipschitz:   receives the bound
  * operation:   may be NULL */
