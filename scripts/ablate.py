@@ -46,6 +46,7 @@ BENCHES: Dict[str, List[List[str]]] = {
     "output/raster": [["frame", "--only=tone"]],
     "output/vector": [["vector", "--only=dots,curves,lines"]],
     "stipples": [["sample"]],
+    "surface": [["points"]],
     "visibility": [["lines", "--only=truth"]],
 }
 # The names of the cases of a room begin with one of these.
@@ -72,6 +73,7 @@ OWN_CASES: Dict[str, Tuple[str, ...]] = {
     "picture": ("picture", "sheet"),
     "published": ("published",),
     "stipples": ("stipples",),
+    "surface": ("rays",),
     "visibility": ("lines", "frame"),
 }
 # Matches names of values that depend on the machine, not on the picture.

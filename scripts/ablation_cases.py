@@ -373,6 +373,22 @@ def depth_image(kept: Kept) -> Result:
             "depth.sum": float(np.nansum(smoothed.points[..., 2])), "depth.normals": float(np.abs(smoothed.normals).sum())}  # fmt: skip
 
 
+@case
+def rays(kept: Kept) -> Result:
+    """Many rays on a fit, from one place and grazing."""
+    shape = datasets.knot(1500)
+    model = hrbfnpr.Model.fit(shape.points, shape.normals)
+    random = np.random.default_rng(6)
+    ends = random.uniform(-1.5, 1.5, size=(20000, 3))
+    seen = model.cast_rays([0.0, 1.0, 8.0], ends - [0.0, 1.0, 8.0], maximum_hits=8)
+    at = random.integers(0, len(shape.points), size=20000)
+    along = np.cross(shape.normals[at], random.normal(size=(20000, 3)))
+    starts = shape.points[at] + shape.normals[at] * random.uniform(-0.01, 0.01, size=(20000, 1)) - along
+    grazing = model.cast_rays(starts, along, maximum_hits=8)
+    return {"seen.hits": float(seen.hits.sum()), "grazing.hits": float(grazing.hits.sum()),
+            "seen.t": np.round(seen.t, 6).tobytes(), "grazing.t": np.round(grazing.t, 6).tobytes()}  # fmt: skip
+
+
 # ---- Meshes
 
 
