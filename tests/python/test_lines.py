@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Line sets and styles of lines."""
 import pickle
+import re
 
 import numpy as np
 import pytest
@@ -139,7 +140,8 @@ def test_styles_of_lines_only_place_few_marks(tmp_path, capsys):
     ring = tmp_path / "ring.xyz"
     np.savetxt(ring, np.hstack(torus()), fmt="%.17g")
     draw = ["draw", str(ring), str(tmp_path / "out.png"), "--style", "silhouette", "--size", "200"]
-    assert main(draw) == 0 and "4000 marks" in capsys.readouterr().out
+    assert main(draw) == 0
+    assert int(re.search(r"(\d+) marks", capsys.readouterr().out).group(1)) <= 4000
     # Saved marks are many, because they may be drawn in another style.
     assert main([*draw, "--save-points", str(tmp_path / "ring.points")]) == 0
     assert len(hrbfnpr.PointSet.load(tmp_path / "ring.points")) > 20000
