@@ -25,16 +25,18 @@ constexpr int separation = 2;
 constexpr int high_degree = 15;
 
 // By default, a cube is divided if it has more near centres than most_near() returns. At that number, summing the near
-// centres takes slightly more time than evaluating the polynomial. A lower number would not pay, because dividing takes
-// time, too. With at least `many_centres` centres the number is higher, because making the cubes then takes longer than
+// centres takes three times as long as evaluating the polynomial, and dividing the cube pays from about 300 points in
+// it. With at least `many_centres` centres the number is higher, because making the cubes then takes longer than
 // evaluating a million points.
 constexpr std::int64_t many_centres = 16384;
 [[nodiscard]] std::int64_t most_near(std::int64_t centres) noexcept { return centres < many_centres ? 180 : 500; }
 // A child of a cube is made if there is a centre within this distance of the child's middle, in half widths of the
 // child.
 constexpr double beside = 1.2;
-// A cube of the tree of centres with at most this many centres is not divided.
-constexpr std::int64_t sources_in_leaf = 24;
+// A cube of the tree of centres with at most this many centres is not divided. Cubes of places are at most as small as
+// the smallest cubes of the tree, so a larger number leaves more near centres than most_near() allows. A smaller number
+// makes near ranges shorter, and making cubes slower.
+constexpr std::int64_t sources_in_leaf = 8;
 // The margin around the centres, as a share of their width. It is needed because a surface bulges beyond its samples.
 constexpr double margin = 0.2;
 
@@ -59,11 +61,11 @@ constexpr std::int64_t cells_a_task = 32; // number of cells that a task handles
 [[nodiscard]] bool has_polynomials(std::int32_t level) noexcept { return level >= 2; }
 
 // Returns the degree of the polynomials of cells with this width, in units of the spacing. With two cubes between a
-// source and a target, the error of a gradient is about 5.5^-degree. The constants were found by experiments with fits
-// of 512 to 4096 samples: if the degree of the top level is higher by 1, the remaining error is rounding. Degrees are
-// odd numbers, as MirroredBasis needs them.
+// source and a target, the error is about 5.5^-degree times width^3.4. Between its terms for values and gradients that
+// is the growth of sums over sources of random weights on a surface. The constants were found by experiments with fits
+// of 600 to 12 000 samples: no level causes most of the error. Degrees are odd numbers, as MirroredBasis needs them.
 [[nodiscard]] int degree_for(double width, double tolerance, int finer) noexcept {
-    const double degree = 12.9 + std::log(1e-9 / tolerance) / std::log(5.5) + 0.7 * std::log2(std::max(1.0, width));
+    const double degree = 12.1 + std::log(1e-9 / tolerance) / std::log(5.5) + 1.4 * std::log2(std::max(1.0, width));
     return std::clamp(2 * (static_cast<int>(std::ceil(0.5 * degree)) + finer) - 1, MirroredBasis::degree_min,
                       MirroredBasis::degree_max);
 }
@@ -408,6 +410,13 @@ void LocalField::add_jets(std::int32_t cube, const JetTargets& t) const noexcept
     const CubeSamples at = samples(cell, t.x, t.y, t.z, t.count);
     loops.evaluate(degree, terms_.data() + cell.terms, at, t.value, t.gradient);
     loops.hessian(degree, terms_.data() + cell.terms, at, t.hessian);
+}
+
+std::int64_t LocalField::near_centres(std::int32_t cube) const noexcept {
+    std::int64_t count = 0;
+    for (std::int64_t k = cells_[cube].near_begin; k < cells_[cube].near_end; ++k)
+        count += near_[k].end - near_[k].begin;
+    return count;
 }
 
 std::int64_t LocalField::bytes() const noexcept {

@@ -44,6 +44,9 @@ public:
     [[nodiscard]] std::int32_t cube_of(const glm::dvec3& point) const noexcept;
     [[nodiscard]] std::int64_t cubes() const noexcept { return cells_.size(); }
 
+    // Returns the number of centres that are summed one by one at places in the cube.
+    [[nodiscard]] std::int64_t near_centres(std::int32_t cube) const noexcept;
+
     // The first function adds the sums at places in the cube; the second also adds Hessians. Thread-safe.
     void add(std::int32_t cube, const Targets& targets) const noexcept;
     void add_jets(std::int32_t cube, const JetTargets& targets) const noexcept;

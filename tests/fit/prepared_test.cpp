@@ -125,6 +125,16 @@ TEST(Prepared, StaysAccurateForCrossingParts) {
     EXPECT_LT(prepared->error().gradient, 200e-7);
 }
 
+// The degrees are such that no level of cells causes most of the error.
+TEST(Prepared, IsAccurateWithManyLevels) {
+    const base::Runtime runtime;
+    const fit::FitResult fitted = fit::fit(runtime, input(bumpy(2000)));
+    const auto prepared = Prepared::make(runtime, fitted.data);
+    ASSERT_NE(prepared, nullptr);
+    EXPECT_LT(prepared->error().value, 3e-10);
+    EXPECT_LT(prepared->error().gradient, 1e-7);
+}
+
 TEST(Prepared, IsUsedOnlyForManyTriharmonicCentres) {
     const base::Runtime runtime;
     const fit::FitResult few = fit::fit(runtime, input(bumpy(100)));

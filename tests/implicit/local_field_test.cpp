@@ -133,6 +133,20 @@ TEST(LocalField, ALooserToleranceIsLessAccurate) {
     EXPECT_LT(finer.gradient, 0.2 * loose.gradient);
 }
 
+// Few sources are near a source, at any distance from one source to the next.
+TEST(LocalField, CubesAreDividedUntilFewSourcesAreNear) {
+    const base::Runtime runtime;
+    for (const int side : {24, 32, 40, 48}) {
+        const Sources sources = sheet(runtime.memory, side, 0);
+        const implicit::LocalField field(runtime, sources.position, sources.alpha.data(), sources.beta, {1.0, 1e-3, 0});
+        std::int64_t most = 0;
+        for (std::int64_t i = 0; i < sources.position.size(); ++i)
+            most = std::max(most, field.near_centres(field.cube_of(sources.position[i])));
+        EXPECT_LE(most, 180) << side;
+        EXPECT_GT(most, 20) << side;
+    }
+}
+
 TEST(LocalField, PlacesOutsideAllCubesHaveNoCube) {
     const base::Runtime runtime;
     const Sources sources = sheet(runtime.memory, 16, 0);
