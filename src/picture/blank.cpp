@@ -15,6 +15,12 @@
 namespace hrbfnpr::picture {
 namespace {
 
+hrbfnpr_drawing_info info_of(const Drawing& drawing) {
+    auto info = defaults<hrbfnpr_drawing_info>(hrbfnpr_drawing_info_init);
+    call([&](hrbfnpr_error* error) { return hrbfnpr_drawing_get_info(drawing.get(), &info, error); });
+    return info;
+}
+
 // Calls visit(layer) for each layer of a style.
 template <class Visit>
 void each_layer_of(const hrbfnpr_style& style, Visit&& visit) {
@@ -135,15 +141,20 @@ String reasons_of_blank(const hrbfnpr_drawing_info& info, const geometry::Bounds
 
 } // namespace
 
-std::optional<Blank> why_blank(const Drawing& drawing, const geometry::Bounds& bounds, const hrbfnpr_camera& camera,
-                               const hrbfnpr_style& style, bool is_flipped, Pool& pool) {
-    auto info = defaults<hrbfnpr_drawing_info>(hrbfnpr_drawing_info_init);
-    call([&](hrbfnpr_error* error) { return hrbfnpr_drawing_get_info(drawing.get(), &info, error); });
+std::optional<double> find_blank(const Drawing& drawing, const hrbfnpr_camera& camera, const hrbfnpr_style& style,
+                                 Pool& pool) {
+    const hrbfnpr_drawing_info info = info_of(drawing);
     const double ink = share_of_ink(drawing, camera, style, pool);
     const auto facing = static_cast<double>(info.front + info.silhouette);
     const bool has_few = shows_marks(style) && static_cast<double>(info.shown) < blank_tuning.least_shown * facing;
     const bool is_hidden = static_cast<double>(info.dropped_hidden) > blank_tuning.most_hidden * facing;
     if (ink >= blank_tuning.least_ink && !(has_few && is_hidden)) return std::nullopt;
+    return ink;
+}
+
+Blank why_blank(const Drawing& drawing, double ink, const geometry::Bounds& bounds, const hrbfnpr_camera& camera,
+                const hrbfnpr_style& style, bool is_flipped, Pool& pool) {
+    const hrbfnpr_drawing_info info = info_of(drawing);
     String text("the picture would be blank: ", &pool);
     if (ink > 0.0)
         text += formatted(pool, "%lld of %lld marks are visible, and ink covers %.2f%% of it",
@@ -151,7 +162,7 @@ std::optional<Blank> why_blank(const Drawing& drawing, const geometry::Bounds& b
     else
         text += "nothing is drawn";
     (text += ". ") += reasons_of_blank(info, bounds, camera, style, is_flipped, pool);
-    return Blank{info.shown, info.marks, ink, std::move(text)};
+    return {info.shown, info.marks, ink, std::move(text)};
 }
 
 } // namespace hrbfnpr::picture

@@ -17,6 +17,8 @@
 #include "picture/wanted_lines.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 using namespace hrbfnpr;
 
@@ -335,16 +337,6 @@ bool is_planned_camera(const hrbfnpr_picture& picture, const hrbfnpr_camera& cam
            std::equal(camera.viewport, camera.viewport + 4, planned.viewport);
 }
 
-void check_visible(hrbfnpr_picture& picture, const Drawing& drawing) {
-    if (picture.options.has(HRBFNPR_PICTURE_ALLOW_BLANK)) return;
-    const std::optional<Blank> blank = why_blank(drawing, picture.bounds(), picture.camera, picture.style_view,
-                                                 picture.options.has(HRBFNPR_PICTURE_FLIP), picture.pool);
-    if (!blank) return;
-    picture.report.fail(HRBFNPR_NOTE_BLANK,
-                        {static_cast<double>(blank->shown), static_cast<double>(blank->marks), blank->ink},
-                        blank->text);
-}
-
 // `with_all_marks`: whether a still picture is drawn with all marks.
 Drawing draw(hrbfnpr_picture& picture, const hrbfnpr_camera& camera, bool with_all_marks,
              hrbfnpr_operation* operation) {
@@ -361,6 +353,18 @@ Drawing draw(hrbfnpr_picture& picture, const hrbfnpr_camera& camera, bool with_a
                                                     static_cast<std::int64_t>(items.size()), sizeof(hrbfnpr_item),
                                                     &camera, operation, made, error);
     });
+}
+
+// Fails because almost nothing of a drawing can be seen; `ink` is what can be seen. The marks of a still picture do not
+// tell why, so it is drawn with all marks.
+[[noreturn]] void fail_as_blank(hrbfnpr_picture& picture, Drawing drawing, double ink) {
+    if (picture.is_still()) complete_marks(picture);
+    Stage stage(picture.report, HRBFNPR_STAGE_FRAME);
+    if (picture.is_still()) drawing = draw(picture, picture.camera, true, stage.operation());
+    const Blank blank = why_blank(drawing, ink, picture.bounds(), picture.camera, picture.style_view,
+                                  picture.options.has(HRBFNPR_PICTURE_FLIP), picture.pool);
+    picture.report.fail(HRBFNPR_NOTE_BLANK,
+                        {static_cast<double>(blank.shown), static_cast<double>(blank.marks), blank.ink}, blank.text);
 }
 
 } // namespace
@@ -406,6 +410,7 @@ hrbfnpr_drawing* draw_picture(hrbfnpr_picture& picture, const hrbfnpr_camera* ca
     Drawing drawing;
     const bool is_other_camera = camera != nullptr && picture.is_still() && !is_planned_camera(picture, *camera);
     if (is_other_camera) complete_marks(picture);
+    std::optional<double> blank_ink;
     {
         Stage stage(picture.report, HRBFNPR_STAGE_FRAME);
         drawing = draw(picture, camera != nullptr ? *camera : picture.camera, is_other_camera, stage.operation());
@@ -414,9 +419,11 @@ hrbfnpr_drawing* draw_picture(hrbfnpr_picture& picture, const hrbfnpr_camera* ca
         stage.says(formatted(picture.pool, "%lld of %s visible, %s", static_cast<long long>(info.shown),
                              count_of(picture.mark_count(), "mark", picture.pool).c_str(),
                              count_of(info.line_curves, "line", picture.pool).c_str()));
-        if (camera == nullptr) check_visible(picture, drawing);
-        if (camera == nullptr) tell_doubts(picture.report, info);
+        if (camera == nullptr && !picture.options.has(HRBFNPR_PICTURE_ALLOW_BLANK))
+            blank_ink = find_blank(drawing, picture.camera, picture.style_view, picture.pool);
+        if (camera == nullptr && !blank_ink) tell_doubts(picture.report, info);
     }
+    if (blank_ink) fail_as_blank(picture, std::move(drawing), *blank_ink);
     return use.finish_with(drawing.take());
 }
 

@@ -855,7 +855,12 @@ OrderedMarks progressive_order(const marks::Site& site, Candidates& candidates, 
             has_room = run_stage(site, candidates, last_stage, level, last, wanted, order);
     }
     run_stage(site, candidates, last_stage, last_stage.level, wanted, wanted, order);
-    return shuffled(site, order, candidates.share.empty());
+    OrderedMarks sorted = shuffled(site, order, candidates.share.empty());
+    // Cells that are partly needed may have got a few marks more than the whole order has there.
+    const std::int64_t kept = std::min(sorted.size(), wanted);
+    sorted.mark.resize(kept);
+    if (!sorted.place.empty()) sorted.place.resize(kept);
+    return sorted;
 }
 
 } // namespace hrbfnpr::stipples

@@ -58,10 +58,11 @@ struct BlankTest : testing::Test {
         const auto drawing = make<Drawing>([&](hrbfnpr_drawing** out, hrbfnpr_error* error) {
             return hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &camera, out, error);
         });
-        const std::optional<Blank> blank = why_blank(drawing, bounds, camera, style, is_flipped, pool);
-        if (!blank) return {};
-        EXPECT_EQ(blank->marks, 2000);
-        return std::string(in_words(blank->text, HRBFNPR_WORDING_OPTIONS, pool));
+        const std::optional<double> ink = find_blank(drawing, camera, style, pool);
+        if (!ink) return {};
+        const Blank blank = why_blank(drawing, *ink, bounds, camera, style, is_flipped, pool);
+        EXPECT_EQ(blank.marks, 2000);
+        return std::string(in_words(blank.text, HRBFNPR_WORDING_OPTIONS, pool));
     }
 
     base::Memory memory;

@@ -86,16 +86,18 @@ def test_views_are_next_to_each_other(ring_file, tmp_path):
     assert (inner[3] != inner[5]).any() and max(middle) < 255
 
 
-def test_styles_with_the_same_layers_share_marks(ring_file, tmp_path, monkeypatch):
+def test_styles_share_the_surface_but_not_the_marks(ring_file, tmp_path, monkeypatch):
     used, draw = [], Scene.draw
 
     def note(self, *arguments, **options):
-        used.append(self.parts[0].marks._handle)
+        used.append((self.parts[0].model._handle, self.parts[0].marks._handle))
         return draw(self, *arguments, **options)
 
     monkeypatch.setattr(Scene, "draw", note)
     sheet([ring_file, *QUICK, "--styles", "silhouette,stipple,xray,contour-and-stipple"], tmp_path / "out.png")
-    assert len(used) == 4 and all(marks == used[0] for marks in used)
+    models, marks = zip(*used)
+    assert len(used) == 4 and all(model == models[0] for model in models)
+    assert len(set(marks)) > 1  # Each style places only the marks that it shows.
 
 
 def test_the_default_output_and_summary(ring_file, tmp_path, monkeypatch, capsys):
