@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws the scene of examples/README.md with nothing but the C interface: reference SAMPLES PICTURE [steps].
- * With the word "steps" it draws a similar scene with the calls below hrbfnpr_picture_create and their defaults. */
+/* Draws the scene of examples/README.md with nothing but the C interface: reference SAMPLES PICTURE [steps | all].
+ * With the word "steps" it draws a similar scene with the calls below hrbfnpr_picture_create and their defaults. With
+ * the word "all" it places all marks, not only those that the picture shows. */
 #include <hrbfnpr.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -81,7 +82,7 @@ static void draw_by_steps(hrbfnpr_context* context, hrbfnpr_model* model) {
     hrbfnpr_point_set_release(marks);
 }
 
-static void draw_picture(hrbfnpr_context* context, int64_t count) {
+static void draw_picture(hrbfnpr_context* context, int64_t count, int all_marks) {
     const double direction[3] = {0, 1, -1}, up[3] = {0, 0, 1};
     hrbfnpr_picture_source source;
     hrbfnpr_picture_desc desc;
@@ -96,6 +97,7 @@ static void draw_picture(hrbfnpr_context* context, int64_t count) {
     desc.source_count = 1;
     desc.width = WIDTH;
     desc.height = HEIGHT;
+    if (all_marks) desc.flags |= HRBFNPR_PICTURE_KEEP_MARKS;
     memcpy(desc.direction, direction, sizeof direction);
     memcpy(desc.up, up, sizeof up);
     check(hrbfnpr_picture_create(context, &desc, NULL, &picture, &error));
@@ -114,7 +116,8 @@ int main(int argc, char** argv) {
     hrbfnpr_context* context;
     FILE* file;
     const int by_steps = argc == 4 && strcmp(argv[3], "steps") == 0;
-    if (argc != 3 && !by_steps) return 2;
+    const int all_marks = argc == 4 && strcmp(argv[3], "all") == 0;
+    if (argc != 3 && !by_steps && !all_marks) return 2;
     check(hrbfnpr_error_init(&error, sizeof error));
     check(hrbfnpr_context_create(NULL, &context, &error));
     const int64_t count = read_samples(argv[1]);
@@ -123,7 +126,7 @@ int main(int argc, char** argv) {
         draw_by_steps(context, model);
         hrbfnpr_model_release(model);
     } else {
-        draw_picture(context, count);
+        draw_picture(context, count, all_marks);
     }
     hrbfnpr_context_release(context);
     file = fopen(argv[2], "wb");

@@ -4,8 +4,9 @@
     run.py CLIENT WORK LIBRARY REFERENCE EXAMPLES
 
 CLIENT is a module of this folder, LIBRARY the shared library, REFERENCE the program of reference.c, and EXAMPLES the
-folder with the built examples. Clients with BY_STEPS draw the scene that the C program makes step by step. The last line
-of the output is `client NAME VERSION: RESULT`. The status is 77 if the client is not installed.
+folder with the built examples. Clients with BY_STEPS draw the scene that the C program makes step by step, those with
+ALL_MARKS its scene with all marks. The last line of the output is `client NAME VERSION: RESULT`. The status is 77 if the
+client is not installed.
 """
 
 import importlib.util
@@ -93,7 +94,7 @@ def main():
     title = client.NAME
     try:
         title = f"{client.NAME} {client.version()}".strip()
-        scene = ["steps"] if getattr(client, "BY_STEPS", False) else []
+        scene = ["steps"] if getattr(client, "BY_STEPS", False) else ["all"] if getattr(client, "ALL_MARKS", False) else []
         run([reference, SAMPLES, work / "reference.rgba", *scene])
         picture = client.draw(work, library.resolve(), examples)
     except Missing as missing:

@@ -19,6 +19,7 @@ except ImportError:
     Image = None
 
 NAME = "viewer"
+ALL_MARKS = True  # because the viewer turns the model
 
 SCENE = {"hrbfnpr-settings": 1, "preset": "contour-and-stipple", "size": [run.WIDTH, run.HEIGHT]}
 
@@ -272,14 +273,15 @@ def check_command_line(view, library):
     """With the viewer's settings the command line draws the same picture, bit for bit."""
     for name in ("turned", "painted"):
         picture = view.work / f"{name}-drawn.png"
-        python(library, "-m", "hrbfnpr", "draw", run.SAMPLES, picture, "--settings", view.work / f"{name}.json", "-q")
+        python(library, "-m", "hrbfnpr", "draw", run.SAMPLES, picture, "--settings", view.work / f"{name}.json",
+               "--keep-marks", "-q")
         here, there = view.pixels(f"{name}.png")[2], read(picture)[2]
         differing = sum(a != b for a, b in zip(here, there))
         check(f"{name}.json: {differing} of {len(there)} bytes differ from the command line's picture",
               len(here) == len(there) and differing == 0)
     saved = view.work / "saved.json"
     python(library, "-m", "hrbfnpr", "draw", run.SAMPLES, view.work / "a.png", "--size", "300x200", "--marks", "5000",
-           "--style", "engraving", "--separation", "0.1", "--save-settings", saved, "-q")
+           "--style", "engraving", "--separation", "0.1", "--save-settings", saved, "--keep-marks", "-q")
     view.run("wait", "save b.png", arguments=[run.SAMPLES, "--settings", saved])
     check("the viewer does not draw what the command line saved",
           view.pixels("b.png") == view.pixels("a.png"))

@@ -209,6 +209,10 @@ namespace HrbfNpr.Tests
                 Assert.Null(begins.Says);
                 int before = happened.Count;
                 made.Draw(made.Orbit(30)).Dispose(); // events are reported for later calls, too
+                // Another camera needs other marks, so all are placed.
+                Assert.Equal(new[] { Stage.Marks, Stage.Frame }, happened.Skip(before).Select(one => one.Stage).Distinct().ToArray());
+                before = happened.Count;
+                made.Draw(made.Orbit(60)).Dispose();
                 Assert.True(happened.Skip(before).All(one => one.Stage == Stage.Frame) && happened.Count > before);
             }
         }
