@@ -65,17 +65,56 @@ FaceTree::FaceTree(const base::Work& work, const base::Array<glm::dvec3>& vertex
     }
     for (const std::int64_t i : work.over(ranges.size())) {
         // The order is from the leaves up: children come before their parents.
-        const Range& range = ranges[ranges.size() - 1 - i];
-        geometry::Bounds& box = box_[range.node] = {};
+        set_box(ranges[ranges.size() - 1 - i]);
+    }
+}
+
+FaceTree::FaceTree(base::Memory& memory, const FaceTree& all, const geometry::Bounds& box)
+    : box_(memory), face_(memory), corners_(memory) {
+    const auto overlaps = [&](const geometry::Bounds& one) {
+        return glm::all(glm::lessThanEqual(one.min, box.max)) && glm::all(glm::lessThanEqual(box.min, one.max));
+    };
+    std::array<Range, geometry::most_heap_levels> stack;
+    std::size_t depth = 0;
+    stack[depth++] = {0, 0, all.face_.size()};
+    while (depth > 0) {
+        const Range range = stack[--depth];
+        if (!overlaps(all.box_[range.node])) continue;
         if (!range.leaf()) {
-            const geometry::Bounds& low = box_[range.low().node];
-            const geometry::Bounds& high = box_[range.high().node];
-            box = {glm::min(low.min, high.min), glm::max(low.max, high.max)};
+            stack[depth++] = range.high();
+            stack[depth++] = range.low();
             continue;
         }
-        for (std::int64_t at = range.begin; at < range.end; ++at)
-            for (const glm::dvec3& corner : corners_[at]) box.extend(corner);
+        for (std::int64_t at = range.begin; at < range.end; ++at) {
+            geometry::Bounds one;
+            for (const glm::dvec3& corner : all.corners_[at]) one.extend(corner);
+            if (!overlaps(one)) continue;
+            face_.push_back(all.face_[at]);
+            corners_.push_back(all.corners_[at]);
+        }
     }
+    box_.resize_for_overwrite(Range::nodes(face_.size()));
+    set_boxes({0, 0, face_.size()});
+}
+
+void FaceTree::set_boxes(const Range& range) noexcept {
+    if (!range.leaf()) {
+        set_boxes(range.low());
+        set_boxes(range.high());
+    }
+    set_box(range);
+}
+
+void FaceTree::set_box(const Range& range) noexcept {
+    geometry::Bounds& box = box_[range.node] = {};
+    if (!range.leaf()) {
+        const geometry::Bounds& low = box_[range.low().node];
+        const geometry::Bounds& high = box_[range.high().node];
+        box = {glm::min(low.min, high.min), glm::max(low.max, high.max)};
+        return;
+    }
+    for (std::int64_t at = range.begin; at < range.end; ++at)
+        for (const glm::dvec3& corner : corners_[at]) box.extend(corner);
 }
 
 // Halves a range of faces along the longest side of its box. Faces with equal middles are ordered by index.
@@ -102,6 +141,27 @@ FaceTree::Nearest FaceTree::nearest(const glm::dvec3& p, double limit) const noe
             const glm::dvec3 place = nearest_on_triangle(corners_[at], p);
             const double near = glm::dot(place - p, place - p);
             if (near < best.squared || (near == best.squared && best.face < 0)) best = {near, face_[at], place};
+        });
+    return best;
+}
+
+FaceTree::Alone FaceTree::nearest_alone(const glm::dvec3& p, double limit) const noexcept {
+    constexpr double rounding = 1.0 + 1e-9; // the relative error of squared distances is less
+    Alone best;
+    double passes = limit; // places farther than this do not matter
+    geometry::visit_nearest_first<leaf_size>(
+        face_.size(), [&](std::int64_t node) { return geometry::squared_distance_to(box_[node], p); },
+        [&](std::int64_t, double squared) { return squared <= passes; },
+        [&](std::int64_t at) {
+            const glm::dvec3 place = nearest_on_triangle(corners_[at], p);
+            const double near = glm::dot(place - p, place - p);
+            if (!(near <= passes)) return;
+            const bool alone = near * rounding < best.squared;
+            if (near < best.squared)
+                best = {{near, face_[at], place}, alone};
+            else
+                best.alone = false;
+            passes = rounding * best.squared;
         });
     return best;
 }

@@ -17,17 +17,24 @@ public:
         std::int64_t face = -1;                                   // -1 if no face is within the limit
         glm::dvec3 place{0.0};
     };
+    struct Alone : Nearest {
+        bool alone = false; // true if all other faces are farther by more than rounding errors
+    };
     struct Hit {
         double t = std::numeric_limits<double>::infinity(); // the parameter of the ray, in lengths of its direction
         std::int64_t face = -1;                             // -1 if the ray meets no face
     };
 
     FaceTree(const base::Work& work, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle);
+    // Makes a tree of the faces of another tree whose boxes overlap a box. They keep their order and indices.
+    FaceTree(base::Memory& memory, const FaceTree& all, const geometry::Bounds& box);
 
     // These functions may be called on any number of threads. nearest() always finds the same face if several are
     // equally near. It finds no face farther than `limit`, which is a squared distance.
     [[nodiscard]] Nearest nearest(const glm::dvec3& p,
                                   double limit = std::numeric_limits<double>::infinity()) const noexcept;
+    // Finds the nearest face, and whether it is alone. If it is not, nearest() may find another face.
+    [[nodiscard]] Alone nearest_alone(const glm::dvec3& p, double limit) const noexcept;
     [[nodiscard]] double distance(const glm::dvec3& p) const noexcept { return std::sqrt(nearest(p).squared); }
     // Returns the first face that a ray meets at t_min < t < t_max.
     [[nodiscard]] Hit first_hit(const glm::dvec3& origin, const glm::dvec3& direction, double t_min,
@@ -78,6 +85,8 @@ private:
     void walk(const glm::dvec3& origin, const glm::dvec3& direction, double t_min, const double& limit,
               Visit&& visit) const;
     void split(const base::Array<glm::dvec3>& middle, const Range& range);
+    void set_box(const Range& range) noexcept;   // from the boxes of the node's children, or from its faces
+    void set_boxes(const Range& range) noexcept; // the same for the node and all below it
 
     base::Array<geometry::Bounds> box_; // the boxes of the nodes, in heap order
     base::Array<std::int32_t> face_;    // the indices of the faces, in the order of the tree

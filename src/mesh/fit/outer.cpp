@@ -139,10 +139,11 @@ bool is_inside(const FaceTree& tree, const glm::dvec3& place) noexcept {
 }
 
 int winding_number(const FaceTree& tree, const glm::dvec3& place) noexcept {
-    std::array<int, 3> windings;
-    for (std::size_t k = 0; k < 3; ++k) windings[k] = winding_along(tree, place, ray_directions[k]);
-    std::sort(windings.begin(), windings.end());
-    return windings[1];
+    const int first = winding_along(tree, place, ray_directions[0]);
+    const int second = winding_along(tree, place, ray_directions[1]);
+    if (first == second) return first;
+    const int third = winding_along(tree, place, ray_directions[2]);
+    return std::clamp(third, std::min(first, second), std::max(first, second)); // the middle one
 }
 
 MeshSide side_of_mesh(const FaceTree& tree, const glm::dvec3& place) noexcept {

@@ -14,11 +14,13 @@
 #include "geometry/segment.h"
 #include "mesh/edges.h"
 #include "mesh/fit/outer.h"
+#include "mesh/nearby_faces.h"
 #include "mesh/pieces/tuning.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace hrbfnpr::mesh {
 namespace {
@@ -84,15 +86,14 @@ struct NearestPlace {
 // faces along a whole ray. The majority of the three decides, because a line may pass through an edge or a gap.
 class InsideOfBox {
 public:
-    explicit InsideOfBox(const FaceTree& tree) noexcept : tree_(tree), reference_{} {}
-    InsideOfBox(const FaceTree& tree, const glm::dvec3& centre, double half) noexcept : InsideOfBox(tree) {
+    InsideOfBox(const NearbyFaces& faces, const glm::dvec3& centre, double half) noexcept
+        : faces_(faces), reference_{} {
         constexpr double off_centre = 0.37; // in half sides of the box
-        for (std::size_t k = 0; k < reference_.size(); ++k) {
+        for (std::size_t k = 0; k < reference_.size(); ++k)
             reference_[k].place = centre + off_centre * half * ray_directions[k];
-            reference_[k].winding = winding_number(tree, reference_[k].place);
-        }
     }
-    [[nodiscard]] bool contains(const glm::dvec3& place) const noexcept { return contains_free(place, 0.0); }
+    [[nodiscard]] const NearbyFaces& faces() const noexcept { return faces_; }
+    [[nodiscard]] bool contains(const glm::dvec3& place) noexcept { return contains_free(place, 0.0); }
     // The same for a place from which the mesh is `free` away. Such a place is on the side of the last such place if no
     // face can be between the two.
     [[nodiscard]] bool contains(const glm::dvec3& place, double free) noexcept {
@@ -106,19 +107,20 @@ public:
 private:
     struct Reference {
         glm::dvec3 place{0.0};
-        int winding = 0;
+        std::optional<int> winding; // found when it is needed
     };
-    [[nodiscard]] bool contains_free(const glm::dvec3& place, double free) const noexcept {
+    [[nodiscard]] bool contains_free(const glm::dvec3& place, double free) noexcept {
         const bool first = is_inside(reference_[0], place, free);
         const bool second = is_inside(reference_[1], place, free);
         return first == second ? first : is_inside(reference_[2], place, free);
     }
-    [[nodiscard]] bool is_inside(const Reference& from, const glm::dvec3& place, double free) const noexcept {
+    [[nodiscard]] bool is_inside(Reference& from, const glm::dvec3& place, double free) noexcept {
+        if (!from.winding) from.winding = winding_number(faces_.all(), from.place);
         const bool is_near = glm::distance(from.place, place) < 0.99 * free;
-        return from.winding + (is_near ? 0 : tree_.winding_beyond(place, from.place)) > 0;
+        return *from.winding + (is_near ? 0 : faces_.winding_beyond(place, from.place)) > 0;
     }
 
-    const FaceTree& tree_;
+    const NearbyFaces& faces_;
     std::array<Reference, 3> reference_;
     glm::dvec3 last_{0.0};
     double last_free_ = 0.0;
@@ -134,27 +136,19 @@ public:
     SignedDistances(const base::Work& work, const Mesh& mesh, const FaceTree& tree);
 
     [[nodiscard]] NearestPlace nearest_place(const glm::dvec3& place) const noexcept {
-        return nearest_place(place, std::numeric_limits<double>::infinity(),
-                             [&](double) { return is_inside(tree_, place); });
+        return with_sign(place, tree_.nearest(place), [&](double) { return is_inside(tree_, place); });
     }
     // The same for a place of a box. `on_mesh` is any place on the mesh; the nearer it is, the faster is the search.
     [[nodiscard]] NearestPlace nearest_place(const glm::dvec3& place, const glm::dvec3& on_mesh,
                                              InsideOfBox& box) const noexcept {
         const glm::dvec3 off = place - on_mesh;
         constexpr double rounding = 1e-9; // relative
-        return nearest_place(place, (1.0 + rounding) * glm::dot(off, off),
-                             [&](double free) { return box.contains(place, free); });
-    }
-    // Returns the distance, at most `most`, that a point can move from a place inside a face along a direction while
-    // that face remains the nearest part of the mesh.
-    [[nodiscard]] double free_distance(const glm::dvec3& place, const glm::dvec3& along, double most) const noexcept {
-        const FaceTree::Hit hit = tree_.first_hit(place, 2.0 * most * along, 1e-6, 1.0);
-        return hit.face < 0 ? most : 0.9 * hit.t * most;
+        return with_sign(place, box.faces().nearest(place, (1.0 + rounding) * glm::dot(off, off)),
+                         [&](double free) { return box.contains(place, free); });
     }
     // Returns whether a place of a box is on the outer surface of the mesh, not on a face inside another part. It is
     // the place of the mesh that is nearest to `from`.
-    [[nodiscard]] bool is_outer(const NearestPlace& nearest, const glm::dvec3& from,
-                                const InsideOfBox& box) const noexcept {
+    [[nodiscard]] bool is_outer(const NearestPlace& nearest, const glm::dvec3& from, InsideOfBox& box) const noexcept {
         if (!by_rays_) return true;
         const glm::dvec3 off = off_ * normal_[nearest.face];
         const double along = glm::dot(from - nearest.place, normal_[nearest.face]);
@@ -162,20 +156,16 @@ public:
         // No face is between `from` and the place beside the face on the same side.
         return nearest.distance > 0.0 || !box.contains(along > 0.0 ? nearest.place - off : nearest.place + off);
     }
-    // Returns an object that answers nothing if normals always decide.
-    [[nodiscard]] InsideOfBox inside_of(const glm::dvec3& centre, double half) const noexcept {
-        return needs_rays_ ? InsideOfBox(tree_, centre, half) : InsideOfBox(tree_);
-    }
     // Returns whether the mesh is solid: every place is either inside or outside.
     [[nodiscard]] bool solid() const noexcept { return solid_; }
     [[nodiscard]] const glm::dvec3& normal(std::int64_t face) const noexcept { return normal_[face]; }
 
 private:
-    // `limit` is a squared distance within which there is a face. Calls by_rays(free) if the normal does not decide.
-    // The place is `free` away from the mesh.
+    // Finds the side of the mesh that a place is on. Calls by_rays(free) if the normal does not decide. The place is
+    // `free` away from the mesh.
     template <class ByRays>
-    [[nodiscard]] NearestPlace nearest_place(const glm::dvec3& place, double limit, ByRays&& by_rays) const noexcept {
-        const FaceTree::Nearest nearest = tree_.nearest(place, limit);
+    [[nodiscard]] NearestPlace with_sign(const glm::dvec3& place, const FaceTree::Nearest& nearest,
+                                         ByRays&& by_rays) const noexcept {
         NearestPlace result{std::sqrt(nearest.squared), nearest.face, nearest.place, false};
         const glm::dvec3 normal = pseudo_normal(nearest.face, nearest.place, result.inner);
         const Triangle& t = mesh_.triangle[nearest.face];
@@ -197,7 +187,6 @@ private:
     double off_ = 0.0;
     bool solid_ = false;
     bool by_rays_ = false;
-    bool needs_rays_ = false; // true if rays decide at some place
 };
 
 // Returns faces evenly distributed by area. An even distribution by index would be wrong: the many small faces at the
@@ -235,8 +224,6 @@ SignedDistances::SignedDistances(const base::Work& work, const Mesh& mesh, const
     });
     solid_ = mesh.report.closed || is_solid_by_rays(work, faces_to_probe(mesh));
     by_rays_ = solid_ && (!mesh.report.closed || has_parts(mesh));
-    const bool folds = std::find(folded_.begin(), folded_.end(), std::uint8_t{1}) != folded_.end();
-    needs_rays_ = by_rays_ || (solid_ && folds);
 }
 
 // Returns whether rays agree with the orientation of nearly all of the given faces.
@@ -319,6 +306,7 @@ struct CellBox {
 struct CellTask {
     const base::Runtime& runtime;
     const Mesh& mesh;
+    const FaceTree& tree;
     const Creases& creases;
     const SignedDistances& distances;
     const base::Array<double>& chord;
@@ -338,6 +326,12 @@ struct CellTask {
 struct TreeTests {
     explicit TreeTests(base::Memory& memory) noexcept : place(memory), distance(memory), slack(memory), own(memory) {}
 
+    void add_beside(const glm::dvec3& p, double d) { add(p, d, 0.0, -1); }
+    // `sheet` should pass the test. If `count` is 1, there is no other sheet, so the test is not stored.
+    void add_on_surface(const glm::dvec3& p, double may_be_off, std::int64_t sheet, std::size_t count) {
+        has_surface = true;
+        if (count > 1) add(p, 0.0, may_be_off, static_cast<std::int32_t>(sheet));
+    }
     void add(const glm::dvec3& p, double d, double may_be_off, std::int32_t sheet) {
         place.push_back(p);
         distance.push_back(d);
@@ -346,34 +340,41 @@ struct TreeTests {
     }
     // Returns the common sign of the distances of all places, or 0 if the signs differ or a place is on the surface.
     [[nodiscard]] double one_side() const noexcept {
-        if (distance.empty()) return 0.0;
+        if (distance.empty() || has_surface) return 0.0;
         const double sign = std::copysign(1.0, distance[0]);
-        for (std::int64_t i = 0; i < distance.size(); ++i)
-            if (own[i] >= 0 || !(distance[i] * sign > 0.0)) return 0.0;
-        return sign;
+        return std::all_of(distance.begin(), distance.end(), [&](double one) { return one * sign > 0.0; }) ? sign : 0.0;
     }
 
     geometry::VecArray place;
     base::Array<double> distance;  // for each place: its signed distance from the mesh
     base::Array<double> slack;     // for each place: the allowed difference between f and the sheet `own`
     base::Array<std::int32_t> own; // for each place on the surface: the index of the sheet that f should equal; else -1
+    bool has_surface = false;      // true if some place is on the surface
 };
+
+// Returns the distance, at most `most`, that a point can move from a place inside a face along a direction while that
+// face remains the nearest part of the mesh.
+[[nodiscard]] double free_distance(const NearbyFaces& faces, const glm::dvec3& place, const glm::dvec3& along,
+                                   double most) noexcept {
+    const FaceTree::Hit hit = faces.first_hit(place, 2.0 * most * along, 1e-6, 1.0);
+    return hit.face < 0 ? most : 0.9 * hit.t * most;
+}
 
 // Adds two kinds of tests for the place on the mesh that is nearest to `from`. On the mesh, f should equal the sheet of
 // the patch. Beside the mesh, on either side, f should have the sign of that side.
-void test_on_surface(const CellTask& task, const CellBox& box, const InsideOfBox& inside,
+void test_on_surface(const CellTask& task, const CellBox& box, InsideOfBox& inside,
                      std::span<const std::int32_t> sheets, const NearestPlace& nearest, const glm::dvec3& from,
                      double step, TreeTests& tests) {
     if (!box.contains(nearest.place) || !task.distances.is_outer(nearest, from, inside)) return;
     const auto own = std::find(sheets.begin(), sheets.end(), task.creases.patch[nearest.face]);
     if (own == sheets.end()) return;
     const double slack = task.slack(nearest.face);
-    tests.add(nearest.place, 0.0, slack - 0.5 * task.near, static_cast<std::int32_t>(own - sheets.begin()));
+    tests.add_on_surface(nearest.place, slack - 0.5 * task.near, own - sheets.begin(), sheets.size());
     if (!nearest.inner) return;
     const glm::dvec3& normal = task.distances.normal(nearest.face);
     for (const double side : {1.0, -1.0}) {
-        const double room = task.distances.free_distance(nearest.place, side * normal, step * box.half);
-        if (room > slack) tests.add(nearest.place + side * room * normal, side * room, 0.0, -1);
+        const double room = free_distance(inside.faces(), nearest.place, side * normal, step * box.half);
+        if (room > slack) tests.add_beside(nearest.place + side * room * normal, side * room);
     }
 }
 
@@ -383,7 +384,8 @@ void test_on_surface(const CellTask& task, const CellBox& box, const InsideOfBox
                                      std::span<const std::int32_t> sheets, std::uint64_t cell) {
     constexpr std::uint32_t stream = 78;
     TreeTests tests(task.runtime.memory);
-    InsideOfBox inside = task.distances.inside_of(box.centre, box.half);
+    const NearbyFaces nearby(task.runtime.memory, task.tree, box.centre, cell_tuning.nearby * box.half);
+    InsideOfBox inside(nearby, box.centre, box.half);
     glm::dvec3 on_mesh = middle_of(task.mesh, faces[0]);
     const std::int64_t n = cell_tuning.along;
     const double spacing = 2.0 * box.half / static_cast<double>(n);
@@ -394,7 +396,7 @@ void test_on_surface(const CellTask& task, const CellBox& box, const InsideOfBox
         const glm::dvec3 place = box.centre - box.half + spacing * in;
         const NearestPlace nearest = task.distances.nearest_place(place, on_mesh, inside);
         on_mesh = nearest.place;
-        if (std::abs(nearest.distance) > task.slack(nearest.face)) tests.add(place, nearest.distance, 0.0, -1);
+        if (std::abs(nearest.distance) > task.slack(nearest.face)) tests.add_beside(place, nearest.distance);
         if (i % 2 == 0)
             test_on_surface(task, box, inside, sheets, nearest, place,
                             i % 4 == 0 ? cell_tuning.beside_step : cell_tuning.finer_step, tests);
@@ -645,7 +647,7 @@ CellsReport make_cells(const base::Work& work, const Mesh& mesh, const FaceTree&
     const SignedDistances distances(work, mesh, tree);
     const ReadOnceTrees trees(work.memory);
     const double diagonal = mesh.bounds.diagonal();
-    const CellTask task{work, mesh, creases, distances, chord, trees, data, cell_tuning.near * diagonal, seed};
+    const CellTask task{work, mesh, tree, creases, distances, chord, trees, data, cell_tuning.near * diagonal, seed};
     data.bounds = mesh.bounds;
     data.side = cell_tuning.root_side * SheetTreeData::reach * diagonal;
     data.corner = mesh.bounds.centre() - 0.5 * data.side;
