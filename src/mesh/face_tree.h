@@ -39,11 +39,11 @@ public:
     // Returns the first face that a ray meets at t_min < t < t_max.
     [[nodiscard]] Hit first_hit(const glm::dvec3& origin, const glm::dvec3& direction, double t_min,
                                 double t_max) const noexcept;
-    // Calls visit(face, t, sign) for all faces that a ray meets at t > 0, in the order of the tree. The sign is 1 if
-    // the face's normal points along the ray, so that the ray leaves the solid, else -1.
+    // Calls visit(face, t, sign) for all faces that a ray meets at 0 < t < limit, in the order of the tree. The sign is
+    // 1 if the face's normal points along the ray, so that the ray leaves the solid, else -1.
     template <class Visit>
-    void crossings(const glm::dvec3& origin, const glm::dvec3& direction, Visit&& visit) const {
-        double limit = std::numeric_limits<double>::infinity();
+    void crossings(const glm::dvec3& origin, const glm::dvec3& direction, Visit&& visit,
+                   const double limit = std::numeric_limits<double>::infinity()) const {
         walk<false>(origin, direction, 0.0, limit, [&](std::int64_t at, double t) {
             visit(face_[at], t, glm::dot(doubled_area(corners_[at]), direction) > 0.0 ? 1 : -1);
         });

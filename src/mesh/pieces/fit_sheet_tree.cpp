@@ -228,19 +228,23 @@ void fit_at_once(const SheetTreeTask& task, SheetFits& sheets, std::span<const s
     }
     const base::Runtime alone = base::Runtime::for_task(task.runtime);
     const base::Work work(alone, progress.without_progress());
-    task.runtime.parallel.for_each(static_cast<std::int64_t>(patches.size()), progress, [&](std::int64_t i) {
+    const auto count = static_cast<std::int64_t>(patches.size());
+    task.runtime.parallel.for_each(count, progress, [&](std::int64_t task_index) {
+        const std::int64_t i = count - 1 - task_index; // The largest come first, so that threads end at the same time.
         const std::int32_t p = patches[static_cast<std::size_t>(i)];
         sheets.fit[p] = fit_patch(work, task, sheets, p, normals, grows[p] != 0, most[i]);
     });
 }
 
-// Returns the number of patches, from the first of `order`, whose sheets are fitted at the same time.
+// Returns the number of patches, from the first of `order`, whose sheets are fitted at the same time. If many large
+// patches are left, these are fitted like the small ones.
 [[nodiscard]] std::size_t count_at_once(const SheetFits& sheets, std::span<const std::int32_t> order) noexcept {
-    std::size_t count = 1;
-    while (count < order.size() && count < static_cast<std::size_t>(sheet_tuning.at_once) &&
-           sheets.faces.count(order[count]) < sheet_tuning.large)
-        ++count;
-    return count;
+    const std::size_t all = std::min(order.size(), static_cast<std::size_t>(sheet_tuning.at_once));
+    const auto is_small = [&](std::int32_t p) { return sheets.faces.count(p) < sheet_tuning.large; };
+    const auto small = static_cast<std::size_t>(std::count_if(order.begin(), order.end(), is_small));
+    return order.size() - small >= static_cast<std::size_t>(sheet_tuning.many_large)
+               ? all
+               : std::clamp(small, std::size_t{1}, all);
 }
 
 void log_sheet(const SheetTreeTask& task, const SheetFits& sheets, std::int32_t p) {

@@ -81,8 +81,10 @@ struct SheetTuning {
     // Centres are at least this many tolerances apart. Larger: fewer centres along creases, which are less exact.
     double apart = 4.0;
     // Sheets of patches with fewer faces than `large` are fitted at the same time, each on one thread, `at_once` at a
-    // time. Sheets of larger patches use all threads. Larger: more memory, and threads that wait for the last sheet.
+    // time. Sheets of larger patches use all threads, one after the other, unless at least `many_large` are left.
+    // Larger: more memory, and threads that wait for the last sheet. The sheets are the same.
     std::int64_t large = 512;
+    std::int64_t many_large = 8;
     std::int64_t at_once = 64;
 };
 inline constexpr SheetTuning sheet_tuning;
