@@ -36,8 +36,10 @@ struct Triharmonic : InverseRoot {
     HWY_INLINE void add(V r2, V inverse, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
         const V r = hn::Mul(r2, inverse);
         const V s = hn::MulAdd(dz, w.z, hn::MulAdd(dy, w.y, hn::Mul(dx, w.x)));
-        sum.value = hn::MulAdd(r, hn::MulSub(r2, w.alpha, hn::Mul(s, hn::Set(D(), 3.0))), sum.value);
-        const V along = hn::NegMulAdd(s, inverse, hn::Mul(r, w.alpha));
+        const V rest = hn::MulSub(r2, w.alpha, s); // r^2 alpha - s
+        // Processors add and multiply side by side, so sums are not fused with products here.
+        sum.value = hn::MulAdd(r, hn::Sub(rest, hn::Add(s, s)), sum.value);
+        const V along = hn::Mul(rest, inverse);
         sum.x = hn::NegMulAdd(r, w.x, hn::MulAdd(along, dx, sum.x));
         sum.y = hn::NegMulAdd(r, w.y, hn::MulAdd(along, dy, sum.y));
         sum.z = hn::NegMulAdd(r, w.z, hn::MulAdd(along, dz, sum.z));
