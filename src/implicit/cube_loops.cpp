@@ -13,7 +13,7 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using base::HWY_NAMESPACE::D;
-using base::HWY_NAMESPACE::inverse_root;
+using base::HWY_NAMESPACE::root;
 using base::HWY_NAMESPACE::V;
 
 constexpr int highest_degree = 20;
@@ -27,55 +27,20 @@ constexpr int most_vectors = 8;
 
 HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(D())); }
 
-// The matrix with the elements |x_i - x_k + shift|^3. It is never stored; elements are computed when needed.
-struct Cubes {
-    const double* const* nodes;
-    V target[3];
-
-    HWY_INLINE void start(int row, const double* shift) {
-        for (int c = 0; c < 3; ++c) target[c] = hn::Add(hn::LoadU(D(), nodes[c] + row), hn::Set(D(), shift[c]));
-    }
-    HWY_INLINE V at(int k) const {
-        const V x = hn::Sub(target[0], hn::Set(D(), nodes[0][k]));
-        const V y = hn::Sub(target[1], hn::Set(D(), nodes[1][k]));
-        const V z = hn::Sub(target[2], hn::Set(D(), nodes[2][k]));
-        const V r2 = hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x)));
-        return hn::Mul(hn::Mul(r2, r2), inverse_root(r2));
-    }
-};
-
-template <int n>
-HWY_INLINE void translate_some(const double* const* nodes, int begin, int end, int columns, const double* shift,
-                               double scale, const double* in, double* const* out) {
+void cubes(const double* const* nodes, int row, int columns, const double* shift, double scale, double* panel) {
     const D d;
-    Cubes cubes{nodes, {}};
-    for (int row = begin; row < end; row += lanes()) {
-        cubes.start(row, shift);
-        V sum[static_cast<size_t>(n)];
-        for (int v = 0; v < n; ++v) sum[v] = hn::Zero(d);
+    for (int at = 0; at < cube_rows; at += lanes()) {
+        V target[3];
+        for (int c = 0; c < 3; ++c) target[c] = hn::Add(hn::LoadU(d, nodes[c] + row + at), hn::Set(d, shift[c]));
         for (int k = 0; k < columns; ++k) {
-            const V element = cubes.at(k);
-            for (int v = 0; v < n; ++v) sum[v] = hn::MulAdd(element, hn::Set(d, in[k * cube_batch + v]), sum[v]);
+            const V x = hn::Sub(target[0], hn::Set(d, nodes[0][k]));
+            const V y = hn::Sub(target[1], hn::Set(d, nodes[1][k]));
+            const V z = hn::Sub(target[2], hn::Set(d, nodes[2][k]));
+            const V r2 = hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x)));
+            const V cube = hn::Mul(hn::Mul(r2, hn::Set(d, scale)), root(r2));
+            hn::StoreU(cube, d, panel + k * cube_rows + at);
         }
-        for (int v = 0; v < n; ++v)
-            hn::StoreU(hn::MulAdd(sum[v], hn::Set(d, scale), hn::LoadU(d, out[v] + row)), d, out[v] + row);
     }
-}
-
-void translate(const double* const* nodes, int begin, int end, int columns, const double* shift, double scale,
-               const double* in, double* const* out, int vectors) {
-    for (; vectors > most_vectors; vectors -= most_vectors, in += most_vectors, out += most_vectors)
-        translate_some<most_vectors>(nodes, begin, end, columns, shift, scale, in, out);
-    if (vectors > 8)
-        translate_some<most_vectors>(nodes, begin, end, columns, shift, scale, in, out);
-    else if (vectors > 4)
-        translate_some<8>(nodes, begin, end, columns, shift, scale, in, out);
-    else if (vectors > 2)
-        translate_some<4>(nodes, begin, end, columns, shift, scale, in, out);
-    else if (vectors > 1)
-        translate_some<2>(nodes, begin, end, columns, shift, scale, in, out);
-    else
-        translate_some<1>(nodes, begin, end, columns, shift, scale, in, out);
 }
 
 template <int n>
@@ -317,7 +282,7 @@ void hessian(int degree, const double* terms, const CubeSamples& samples, double
 
 } // namespace
 
-CubeLoops pick() noexcept { return {translate, multiply, moments, evaluate, hessian}; }
+CubeLoops pick() noexcept { return {cubes, multiply, moments, evaluate, hessian}; }
 
 } // namespace hrbfnpr::implicit::HWY_NAMESPACE::cube_loops
 HWY_AFTER_NAMESPACE();

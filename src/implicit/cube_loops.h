@@ -13,6 +13,8 @@ namespace hrbfnpr::implicit {
 inline constexpr int cube_batch = 16;
 // The largest number of samples that are summed side by side in a SIMD vector.
 inline constexpr int cube_lanes = 8;
+// The number of rows of a matrix of cubed distances that are made at a time.
+inline constexpr int cube_rows = 8;
 
 struct CubeSamples {
     const double* x;
@@ -24,10 +26,8 @@ struct CubeSamples {
 };
 
 struct CubeLoops {
-    // out[v][i] += scale * sum_k |x_i - x_k + shift|^3 in[k][v] for v < vectors and begin <= i < end. `begin` and `end`
-    // are multiples of 8.
-    void (*translate)(const double* const* nodes, int begin, int end, int columns, const double* shift, double scale,
-                      const double* in, double* const* out, int vectors);
+    // panel[k * cube_rows + i] = scale |x_{row + i} - x_k + shift|^3 for i < cube_rows and k < columns.
+    void (*cubes)(const double* const* nodes, int row, int columns, const double* shift, double scale, double* panel);
     // out[v][i] += sum_k matrix[k * stride + i] in[k][v] for i < rows.
     void (*multiply)(const double* matrix, std::int64_t stride, int rows, int columns, const double* in,
                      double* const* out, int vectors);

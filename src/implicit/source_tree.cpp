@@ -32,6 +32,52 @@ constexpr std::int64_t cubes_a_task = 32; // number of cubes in a task
     return result;
 }
 
+// Vectors that are multiplied by the same matrix of cubed distances.
+class TranslatedBatches {
+public:
+    TranslatedBatches(const base::Runtime& runtime, const CubeBasis& basis, double half)
+        : basis_(basis), loops_(cube_loops(runtime.instruction_set)), scale_(half * half * half),
+          panel_(runtime.memory, std::int64_t{basis.size()} * cube_rows), unused_(runtime.memory, basis.stride()) {
+        for (std::size_t k = 0; k < most; ++k) batches_.emplace_back(runtime.memory, basis.size());
+    }
+
+    [[nodiscard]] bool full() const noexcept { return batches_.back().full(); }
+    void add(const double* in, double* out) noexcept {
+        if (batches_[last_].full()) ++last_;
+        batches_[last_].add(in, basis_.size(), out);
+    }
+    // Adds the products to the rows [first_row, last_row) of the results.
+    void flush(const std::array<std::int32_t, 3>& by, int first_row, int last_row) noexcept {
+        const double* const nodes[3] = {basis_.nodes().x.data(), basis_.nodes().y.data(), basis_.nodes().z.data()};
+        const double shift[3] = {2.0 * by[0], 2.0 * by[1], 2.0 * by[2]};
+        for (int row = first_row; row < last_row; row += cube_rows) {
+            loops_.cubes(nodes, row, basis_.size(), shift, scale_, panel_.data());
+            for (std::size_t k = 0; k <= last_; ++k) {
+                double* const* const out = batches_[k].out(unused_.data());
+                double* at[cube_batch];
+                for (int v = 0; v < cube_batch; ++v) at[v] = out[v] + row;
+                loops_.multiply(panel_.data(), cube_rows, cube_rows, basis_.size(), batches_[k].in(), at,
+                                batches_[k].count());
+            }
+        }
+        for (std::size_t k = 0; k <= last_; ++k) batches_[k].clear();
+        last_ = 0;
+    }
+
+private:
+    // With this number of batches, computing a row of the matrix takes a tenth of the time of the products, and the
+    // vectors stay in the second-level cache.
+    static constexpr std::size_t most = 6;
+
+    const CubeBasis& basis_;
+    CubeLoops loops_;
+    double scale_;
+    std::vector<CubeVectors> batches_;
+    std::size_t last_ = 0; // the batch to which vectors are added
+    base::Array<double> panel_;
+    base::Array<double> unused_;
+};
+
 } // namespace
 
 SourceTree::SourceTree(const base::Work& work, const geometry::VecArray& centres, const SourceTreeOptions& options)
@@ -188,26 +234,18 @@ void SourceTree::add_children(std::int64_t begin, std::int64_t end, std::int32_t
     }
 }
 
-// Pairs of cubes with the same offset share the matrix with the elements |x_i - x_k + offset|^3. It is not stored: its
-// elements are computed when they are needed.
+// Pairs of cubes with the same offset share the matrix with the elements |x_i - x_k + offset|^3. It is not stored:
+// eight rows at a time are computed when they are needed.
 void SourceTree::translate(std::int32_t level, std::span<const Pair> pairs, int first_row, int last_row,
                            double* incoming, const base::Progress& progress) const {
     const CubeBasis& basis = *at(level).basis;
-    const CubeLoops loops = cube_loops(runtime_.instruction_set);
-    const double half = tree_.half_width(level);
-    const double* const nodes[3] = {basis.nodes().x.data(), basis.nodes().y.data(), basis.nodes().z.data()};
-    base::Array<double> nobody(runtime_.memory, basis.stride());
-    CubeVectors batch(runtime_.memory, basis.size());
+    TranslatedBatches batches(runtime_, basis, tree_.half_width(level));
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         const Pair& pair = pairs[k];
-        batch.add(outgoing(pair.source, level), basis.size(), incoming + std::int64_t{pair.target} * basis.stride());
-        if (!batch.full() && k + 1 < pairs.size() && pairs[k + 1].direction == pair.direction) continue;
+        batches.add(outgoing(pair.source, level), incoming + std::int64_t{pair.target} * basis.stride());
+        if (!batches.full() && k + 1 < pairs.size() && pairs[k + 1].direction == pair.direction) continue;
         progress.check();
-        const std::array<std::int32_t, 3> by = offset(pair.direction);
-        const double shift[3] = {2.0 * by[0], 2.0 * by[1], 2.0 * by[2]};
-        loops.translate(nodes, first_row, last_row, basis.size(), shift, half * half * half, batch.in(),
-                        batch.out(nobody.data()), batch.count());
-        batch.clear();
+        batches.flush(offset(pair.direction), first_row, last_row);
     }
 }
 

@@ -15,6 +15,7 @@ namespace base = hrbfnpr::base;
 using hrbfnpr::implicit::cube_batch;
 using hrbfnpr::implicit::cube_lanes;
 using hrbfnpr::implicit::cube_loops;
+using hrbfnpr::implicit::cube_rows;
 using hrbfnpr::implicit::CubeBasis;
 using hrbfnpr::implicit::CubeSamples;
 using hrbfnpr::test::instruction_sets;
@@ -45,31 +46,24 @@ struct Batch {
     std::vector<double*> out;
 };
 
-TEST(CubeLoops, TranslateAddsTheCubedDistances) {
+TEST(CubeLoops, CubesAreThoseOfTheDistances) {
     constexpr std::size_t columns = 13;
-    constexpr int begin = 8;
-    constexpr int end = 32;
+    constexpr std::size_t row = 16;
+    constexpr std::size_t rows = cube_rows;
     const Numbers nodes[3] = {scattered(40, 1), scattered(40, 500), scattered(40, 900)};
     const double* const node[3] = {nodes[0].data(), nodes[1].data(), nodes[2].data()};
     const double shift[3] = {4.0, -2.0, 6.0};
-    const Numbers in = scattered(columns * cube_batch, 77);
     for (const base::InstructionSet set : instruction_sets()) {
-        for (int vectors = 1; vectors <= cube_batch; ++vectors) {
-            Batch batch(40);
-            cube_loops(set).translate(node, begin, end, columns, shift, 0.25, in.data(), batch.out.data(), vectors);
-            for (std::size_t v = 0; v < static_cast<std::size_t>(vectors); ++v) {
-                for (std::size_t i = 0; i < 40; ++i) {
-                    double sum = 0.0;
-                    for (std::size_t k = 0; i >= begin && i < end && k < columns; ++k)
-                        sum += in[k * cube_batch + v] * std::pow(std::hypot(nodes[0][i] - nodes[0][k] + shift[0],
-                                                                            nodes[1][i] - nodes[1][k] + shift[1],
-                                                                            nodes[2][i] - nodes[2][k] + shift[2]),
-                                                                 3.0);
-                    EXPECT_NEAR(batch.vectors[v][i], batch.before[v][i] + 0.25 * sum, 1e-11)
-                        << base::name(set) << " " << vectors << " " << v << " " << i;
-                }
+        Numbers panel(columns * rows, -1.0);
+        cube_loops(set).cubes(node, row, columns, shift, 0.25, panel.data());
+        for (std::size_t k = 0; k < columns; ++k)
+            for (std::size_t i = 0; i < rows; ++i) {
+                const double distance =
+                    std::hypot(nodes[0][row + i] - nodes[0][k] + shift[0], nodes[1][row + i] - nodes[1][k] + shift[1],
+                               nodes[2][row + i] - nodes[2][k] + shift[2]);
+                EXPECT_NEAR(panel[k * rows + i], 0.25 * std::pow(distance, 3.0), 1e-12)
+                    << base::name(set) << " " << i << " " << k;
             }
-        }
     }
 }
 
