@@ -74,6 +74,8 @@ FaceTree::FaceTree(base::Memory& memory, const FaceTree& all, const geometry::Bo
     const auto overlaps = [&](const geometry::Bounds& one) {
         return glm::all(glm::lessThanEqual(one.min, box.max)) && glm::all(glm::lessThanEqual(box.min, one.max));
     };
+    base::Array<std::int64_t> from(memory); // for each face: its place in the other tree
+    base::Array<glm::dvec3> middle(memory);
     std::array<Range, geometry::most_heap_levels> stack;
     std::size_t depth = 0;
     stack[depth++] = {0, 0, all.face_.size()};
@@ -89,12 +91,26 @@ FaceTree::FaceTree(base::Memory& memory, const FaceTree& all, const geometry::Bo
             geometry::Bounds one;
             for (const glm::dvec3& corner : all.corners_[at]) one.extend(corner);
             if (!overlaps(one)) continue;
-            face_.push_back(all.face_[at]);
-            corners_.push_back(all.corners_[at]);
+            face_.push_back(static_cast<std::int32_t>(from.size()));
+            from.push_back(at);
+            middle.push_back(one.min + one.max);
         }
+    }
+    split_all(middle, {0, 0, face_.size()});
+    corners_.resize_for_overwrite(face_.size());
+    for (std::int64_t at = 0; at < face_.size(); ++at) {
+        corners_[at] = all.corners_[from[face_[at]]];
+        face_[at] = all.face_[from[face_[at]]];
     }
     box_.resize_for_overwrite(Range::nodes(face_.size()));
     set_boxes({0, 0, face_.size()});
+}
+
+void FaceTree::split_all(const base::Array<glm::dvec3>& middle, const Range& range) {
+    if (range.leaf()) return;
+    split(middle, range);
+    split_all(middle, range.low());
+    split_all(middle, range.high());
 }
 
 void FaceTree::set_boxes(const Range& range) noexcept {

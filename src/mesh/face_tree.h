@@ -85,6 +85,7 @@ private:
     void walk(const glm::dvec3& origin, const glm::dvec3& direction, double t_min, const double& limit,
               Visit&& visit) const;
     void split(const base::Array<glm::dvec3>& middle, const Range& range);
+    void split_all(const base::Array<glm::dvec3>& middle, const Range& range);
     void set_box(const Range& range) noexcept;   // from the boxes of the node's children, or from its faces
     void set_boxes(const Range& range) noexcept; // the same for the node and all below it
 
