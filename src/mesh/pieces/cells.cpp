@@ -420,59 +420,104 @@ void test_on_surface(const CellTask& task, const CellBox& box, InsideOfBox& insi
 struct TreeChoice {
     std::int64_t tree = -1;
     std::int64_t wrong = 0; // the number of tests that the tree fails
-    double off = 0.0;       // the mean relative difference between the tree's values and distances
+    double off = 0.0;       // its mean_off()
 };
 
-// Counts the tests that a tree fails. `value` holds the value of each sheet at each place. The count ends when it
-// exceeds `most`, because such a tree is not chosen.
-[[nodiscard]] TreeChoice count_failures(std::span<const std::int32_t> program, std::int64_t tree,
-                                        const TreeTests& tests, const base::Array<double>& value,
-                                        std::int64_t most) noexcept {
-    const std::int64_t count = tests.distance.size();
-    TreeChoice choice;
-    choice.tree = tree;
-    for (std::int64_t i = 0; i < count && choice.wrong <= most; ++i) {
-        double stack[ReadOnceTrees::most + 1];
+// The values of the sheets of a cell at the places of its tests, and of trees over these sheets. A tree is evaluated at
+// `at_once` places at a time.
+class TreeValues {
+public:
+    static constexpr std::int64_t at_once = 64;
+
+    TreeValues(const CellTask& task, std::span<const std::int32_t> sheets, const TreeTests& tests)
+        : count_(tests.distance.size()), value_(task.runtime.memory) {
+        value_.resize_for_overwrite(count_ * static_cast<std::int64_t>(sheets.size()));
+        for (std::size_t k = 0; k < sheets.size(); ++k)
+            implicit::evaluate(task.runtime.instruction_set, task.data.sheet[sheets[k]],
+                               {tests.place.x.data(), tests.place.y.data(), tests.place.z.data(), count_},
+                               {value_.data() + static_cast<std::int64_t>(k) * count_, {}, {}});
+    }
+    [[nodiscard]] double of_sheet(std::int32_t sheet, std::int64_t i) const noexcept {
+        return value_[sheet * count_ + i];
+    }
+    // Returns the values of a tree at the places from `begin` to end - 1. They are valid until the next call.
+    [[nodiscard]] const double* of_tree(std::span<const std::int32_t> program, std::int64_t begin,
+                                        std::int64_t end) noexcept {
+        HRBFNPR_ASSERT(begin < end && end <= count_ && end - begin <= at_once);
+        std::array<const double*, ReadOnceTrees::most + 1> stack{};
         std::size_t depth = 0;
         for (const std::int32_t code : program) {
             if (code >= 0) {
-                stack[depth++] = value[code * count + i];
+                stack[depth++] = value_.data() + code * count_ + begin;
                 continue;
             }
-            const double b = stack[--depth];
-            const double a = stack[depth - 1];
-            stack[depth - 1] = code == SheetTreeData::maximum ? std::max(a, b) : std::min(a, b);
+            const double* const b = stack[--depth];
+            const double* const a = stack[depth - 1];
+            double* const joined = joined_[depth - 1].data();
+            if (code == SheetTreeData::maximum)
+                for (std::int64_t i = 0; i < end - begin; ++i) joined[i] = std::max(a[i], b[i]);
+            else
+                for (std::int64_t i = 0; i < end - begin; ++i) joined[i] = std::min(a[i], b[i]);
+            stack[depth - 1] = joined;
         }
         HRBFNPR_ASSERT(depth == 1);
-        const double v = stack[0];
-        const double d = tests.distance[i];
-        if (tests.own[i] >= 0)
-            choice.wrong += std::abs(v - value[tests.own[i] * count + i]) > tests.slack[i] ? 1 : 0;
-        else if (!(v * d > 0.0))
-            ++choice.wrong;
-        else
-            choice.off += std::min(1.0, std::abs(v - d) / std::abs(d));
+        return stack[0];
     }
-    choice.off /= static_cast<double>(std::max<std::int64_t>(count, 1));
-    return choice;
+
+private:
+    std::int64_t count_;
+    base::Array<double> value_;                                             // for each sheet: its value at each place
+    std::array<std::array<double, at_once>, ReadOnceTrees::most> joined_{}; // for each depth of the stack of of_tree()
+};
+
+// Counts the tests that a tree fails. The count ends when it exceeds `most`, because such a tree is not chosen.
+[[nodiscard]] std::int64_t count_failures(std::span<const std::int32_t> program, const TreeTests& tests,
+                                          TreeValues& values, std::int64_t most) noexcept {
+    const std::int64_t count = tests.distance.size();
+    std::int64_t wrong = 0;
+    for (std::int64_t begin = 0; begin < count && wrong <= most; begin += TreeValues::at_once) {
+        const std::int64_t end = std::min(begin + TreeValues::at_once, count);
+        const double* const v = values.of_tree(program, begin, end);
+        for (std::int64_t i = begin; i < end; ++i) {
+            const bool fails = tests.own[i] >= 0
+                                   ? std::abs(v[i - begin] - values.of_sheet(tests.own[i], i)) > tests.slack[i]
+                                   : !(v[i - begin] * tests.distance[i] > 0.0);
+            wrong += fails ? 1 : 0;
+        }
+    }
+    return wrong;
+}
+
+// Returns the mean relative difference between the tree's values and the distances, over the tests of signs that the
+// tree passes.
+[[nodiscard]] double mean_off(std::span<const std::int32_t> program, const TreeTests& tests,
+                              TreeValues& values) noexcept {
+    const std::int64_t count = tests.distance.size();
+    double off = 0.0;
+    for (std::int64_t begin = 0; begin < count; begin += TreeValues::at_once) {
+        const std::int64_t end = std::min(begin + TreeValues::at_once, count);
+        const double* const v = values.of_tree(program, begin, end);
+        for (std::int64_t i = begin; i < end; ++i) {
+            const double d = tests.distance[i];
+            const double f = v[i - begin];
+            if (tests.own[i] < 0 && f * d > 0.0) off += std::min(1.0, std::abs(f - d) / std::abs(d));
+        }
+    }
+    return off / static_cast<double>(std::max<std::int64_t>(count, 1));
 }
 
 [[nodiscard]] TreeChoice choose_tree(const CellTask& task, std::span<const std::int32_t> sheets,
                                      const TreeTests& tests) {
-    const std::int64_t count = tests.distance.size();
-    base::Array<double> value(task.runtime.memory);
-    value.resize_for_overwrite(count * static_cast<std::int64_t>(sheets.size()));
-    for (std::size_t k = 0; k < sheets.size(); ++k)
-        implicit::evaluate(task.runtime.instruction_set, task.data.sheet[sheets[k]],
-                           {tests.place.x.data(), tests.place.y.data(), tests.place.z.data(), count},
-                           {value.data() + static_cast<std::int64_t>(k) * count, {}, {}});
+    TreeValues values(task, sheets, tests);
     const auto functions = static_cast<std::int32_t>(sheets.size());
     TreeChoice best;
     for (std::int64_t tree = 0; tree < task.trees.count(functions); ++tree) {
-        const std::int64_t most = best.tree < 0 ? count : best.wrong;
-        const TreeChoice choice = count_failures(task.trees.program(functions, tree), tree, tests, value, most);
-        const bool better = choice.wrong < best.wrong || (choice.wrong == best.wrong && choice.off < best.off);
-        if (best.tree < 0 || better) best = choice;
+        const std::span<const std::int32_t> program = task.trees.program(functions, tree);
+        const std::int64_t most = best.tree < 0 ? tests.distance.size() : best.wrong;
+        const std::int64_t wrong = count_failures(program, tests, values, most);
+        if (wrong > most) continue;
+        const double off = mean_off(program, tests, values);
+        if (best.tree < 0 || wrong < best.wrong || off < best.off) best = {tree, wrong, off};
     }
     return best;
 }
