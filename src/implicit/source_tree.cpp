@@ -32,48 +32,64 @@ constexpr std::int64_t cubes_a_task = 32; // number of cubes in a task
     return result;
 }
 
-// Vectors that are multiplied by the same matrix of cubed distances.
-class TranslatedBatches {
-public:
-    TranslatedBatches(const base::Runtime& runtime, const CubeBasis& basis, double half)
-        : basis_(basis), loops_(cube_loops(runtime.instruction_set)), scale_(half * half * half),
-          panel_(runtime.memory, std::int64_t{basis.size()} * cube_rows), unused_(runtime.memory, basis.stride()) {
-        for (std::size_t k = 0; k < most; ++k) batches_.emplace_back(runtime.memory, basis.size());
-    }
+// Writes the numbers of up to cube_batch vectors of `length` numbers, a multiple of 8, in turn. Eight numbers at a time
+// are read and written, so that both stay in the fastest cache.
+void interleave(std::span<const double* const> vectors, std::int64_t length, double* to) noexcept {
+    for (std::int64_t begin = 0; begin < length; begin += 8)
+        for (std::size_t v = 0; v < vectors.size(); ++v)
+            for (std::int64_t k = begin; k < begin + 8; ++k)
+                to[k * cube_batch + static_cast<std::int64_t>(v)] = vectors[v][k];
+}
 
-    [[nodiscard]] bool full() const noexcept { return batches_.back().full(); }
+// Vectors that are multiplied by the same matrix of cubed distances.
+class TranslatedVectors {
+public:
+    TranslatedVectors(const base::Runtime& runtime, const CubeBasis& basis, double half)
+        : basis_(basis), loops_(cube_loops(runtime.instruction_set)), scale_(half * half * half),
+          interleaved_(runtime.memory, most * basis.stride()),
+          panel_(runtime.memory, std::int64_t{basis.size()} * cube_rows), unused_(runtime.memory, basis.stride()) {}
+
+    [[nodiscard]] bool full() const noexcept { return count_ == most; }
     void add(const double* in, double* out) noexcept {
-        if (batches_[last_].full()) ++last_;
-        batches_[last_].add(in, basis_.size(), out);
+        in_[count_] = in;
+        out_[count_++] = out;
     }
     // Adds the products to the rows [first_row, last_row) of the results.
     void flush(const std::array<std::int32_t, 3>& by, int first_row, int last_row) noexcept {
         const double* const nodes[3] = {basis_.nodes().x.data(), basis_.nodes().y.data(), basis_.nodes().z.data()};
         const double shift[3] = {2.0 * by[0], 2.0 * by[1], 2.0 * by[2]};
+        for (std::size_t v = 0; v < count_; v += cube_batch)
+            interleave({in_.data() + v, std::min<std::size_t>(cube_batch, count_ - v)}, basis_.stride(), batch(v));
         for (int row = first_row; row < last_row; row += cube_rows) {
             loops_.cubes(nodes, row, basis_.size(), shift, scale_, panel_.data());
-            for (std::size_t k = 0; k <= last_; ++k) {
-                double* const* const out = batches_[k].out(unused_.data());
-                double* at[cube_batch];
-                for (int v = 0; v < cube_batch; ++v) at[v] = out[v] + row;
-                loops_.multiply(panel_.data(), cube_rows, cube_rows, basis_.size(), batches_[k].in(), at,
-                                batches_[k].count());
+            for (std::size_t v = 0; v < count_; v += cube_batch) {
+                double* out[cube_batch];
+                for (std::size_t k = 0; k < cube_batch; ++k)
+                    out[k] = (v + k < count_ ? out_[v + k] : unused_.data()) + row;
+                loops_.multiply(panel_.data(), cube_rows, cube_rows, basis_.size(), batch(v), out,
+                                static_cast<int>(std::min<std::size_t>(cube_batch, count_ - v)));
             }
         }
-        for (std::size_t k = 0; k <= last_; ++k) batches_[k].clear();
-        last_ = 0;
+        count_ = 0;
     }
 
 private:
-    // With this number of batches, computing a row of the matrix takes a tenth of the time of the products, and the
+    // With this number of vectors, computing a row of the matrix takes a tenth of the time of the products, and the
     // vectors stay in the second-level cache.
-    static constexpr std::size_t most = 6;
+    static constexpr std::int64_t most = 6 * cube_batch;
+
+    // Returns the interleaved vectors from v on.
+    [[nodiscard]] double* batch(std::size_t v) noexcept {
+        return interleaved_.data() + static_cast<std::int64_t>(v) * basis_.stride();
+    }
 
     const CubeBasis& basis_;
     CubeLoops loops_;
     double scale_;
-    std::vector<CubeVectors> batches_;
-    std::size_t last_ = 0; // the batch to which vectors are added
+    std::size_t count_ = 0;
+    std::array<const double*, most> in_{};
+    std::array<double*, most> out_{};
+    base::Array<double> interleaved_;
     base::Array<double> panel_;
     base::Array<double> unused_;
 };
@@ -239,13 +255,13 @@ void SourceTree::add_children(std::int64_t begin, std::int64_t end, std::int32_t
 void SourceTree::translate(std::int32_t level, std::span<const Pair> pairs, int first_row, int last_row,
                            double* incoming, const base::Progress& progress) const {
     const CubeBasis& basis = *at(level).basis;
-    TranslatedBatches batches(runtime_, basis, tree_.half_width(level));
+    TranslatedVectors vectors(runtime_, basis, tree_.half_width(level));
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         const Pair& pair = pairs[k];
-        batches.add(outgoing(pair.source, level), incoming + std::int64_t{pair.target} * basis.stride());
-        if (!batches.full() && k + 1 < pairs.size() && pairs[k + 1].direction == pair.direction) continue;
+        vectors.add(outgoing(pair.source, level), incoming + std::int64_t{pair.target} * basis.stride());
+        if (!vectors.full() && k + 1 < pairs.size() && pairs[k + 1].direction == pair.direction) continue;
         progress.check();
-        batches.flush(offset(pair.direction), first_row, last_row);
+        vectors.flush(offset(pair.direction), first_row, last_row);
     }
 }
 
