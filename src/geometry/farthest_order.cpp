@@ -13,6 +13,9 @@ namespace {
 constexpr std::int64_t leaf_size = 16;
 constexpr double picked = -1.0; // marks a picked point; it is below any squared distance
 
+// A few points are picked by scans of all points, because a tree takes as long to build as this many scans take.
+constexpr std::int64_t picks_by_scans = 16;
+
 // A k-d tree in which each node knows which of its points is farthest from the picked points. The next pick is read
 // from the root, and a pick visits only nodes that hold a point whose distance it may shorten.
 class FarthestTree {
@@ -131,6 +134,34 @@ void FarthestTree::update_from_children(Node& node, const Range& range) noexcept
     node.squared_distance = low_first ? low.squared_distance : high.squared_distance;
 }
 
+// Sets the picks of `result`. Each scan finds the point that is farthest from the points picked before.
+void pick_by_scans(const VecArray& points, const base::Progress& progress, FarthestOrder& result) {
+    Bounds box;
+    for (const std::int64_t i : progress.over(points.size())) box.extend(points[i]);
+    const glm::dvec3 centre = 0.5 * box.min + 0.5 * box.max;
+    const auto squared_to = [&](const glm::dvec3& p, std::int64_t i) {
+        const double x = points.x[i] - p.x;
+        const double y = points.y[i] - p.y;
+        const double z = points.z[i] - p.z;
+        return x * x + y * y + z * z;
+    };
+    std::int64_t next = 0;
+    for (const std::int64_t i : progress.over(points.size()))
+        if (squared_to(centre, i) < squared_to(centre, next)) next = i;
+    base::Array<double> squared(points.memory()); // for each point: the squared distance from the picked points
+    base::fill_long(squared, points.size(), HUGE_VAL, progress);
+    for (std::int64_t k = 0; k < result.order.size(); ++k) {
+        progress.check();
+        result.order[k] = next;
+        result.distance[k] = std::sqrt(squared[next]);
+        const glm::dvec3 p = points[next];
+        for (std::int64_t i = 0; i < points.size(); ++i) squared[i] = std::min(squared[i], squared_to(p, i));
+        squared[next] = picked;
+        next = std::max_element(squared.begin(), squared.end()) - squared.begin(); // the first of the farthest
+    }
+    progress.update(1.0);
+}
+
 } // namespace
 
 FarthestOrder farthest_order(const VecArray& points, std::int64_t count, const base::Progress& progress) {
@@ -139,6 +170,10 @@ FarthestOrder farthest_order(const VecArray& points, std::int64_t count, const b
     if (picks == 0) return result;
     result.order.resize(picks);
     result.distance.resize(picks);
+    if (picks <= picks_by_scans) {
+        pick_by_scans(points, progress, result);
+        return result;
+    }
     FarthestTree tree(points, progress);
     for (std::int64_t k = 0; k < picks; ++k) {
         if (k % 256 == 0) progress.update(static_cast<double>(k) / static_cast<double>(picks));

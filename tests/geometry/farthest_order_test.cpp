@@ -63,9 +63,14 @@ TEST(FarthestOrder, MatchesANaiveSearch) {
     for (const int count : {1, 2, 15, 16, 17, 33, 100, 1000}) expect_naive(scattered(count), 0);
     expect_naive(scattered(1000), 37);
     expect_naive(scattered(10), 99);
+    for (const int few : {1, 2, 8, 16, 17}) expect_naive(scattered(1000), few);
 }
 
-TEST(FarthestOrder, BreaksTiesByIndexAndTakesEachPointOnce) { expect_naive(lattice(7), 0); }
+TEST(FarthestOrder, BreaksTiesByIndexAndTakesEachPointOnce) {
+    expect_naive(lattice(7), 0);
+    expect_naive(lattice(7), 16);
+    expect_naive(lattice(2), 16);
+}
 
 TEST(FarthestOrder, IsEmptyWithoutPoints) { EXPECT_TRUE(farthest_order(VecArray(memory()), 0, {}).order.empty()); }
 
