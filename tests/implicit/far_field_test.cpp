@@ -124,6 +124,15 @@ TEST(FarField, IsAccurateAtTheTrueSpacing) {
     EXPECT_LT(error(quickly(runtime, points, weights, {1.0, 1, 40, 1.0}), directly(runtime, points, weights)), 1e-6);
 }
 
+// On a plane, hundreds of pairs of neighbouring cubes have the same offset.
+TEST(FarField, IsAccurateWithManyPairsOfOneOffset) {
+    const base::Runtime runtime;
+    VecArray points(runtime.memory);
+    for (int i = 0; i < 4096; ++i) points.push_back({i % 64 + 0.5, i / 64 + 0.5, 0.01 * scatter(i)});
+    const Weights weights(runtime.memory, points.size());
+    EXPECT_LT(error(quickly(runtime, points, weights, {1.0, 0, 8, 1.0}), directly(runtime, points, weights)), 1e-5);
+}
+
 TEST(FarField, ClustersAreDividedAsDeeplyAsTheyNeed) {
     const base::Runtime runtime;
     const VecArray points = uneven(runtime.memory, 1500);
