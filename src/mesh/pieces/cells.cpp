@@ -14,7 +14,6 @@
 #include "geometry/segment.h"
 #include "mesh/edges.h"
 #include "mesh/fit/outer.h"
-#include "mesh/nearby_faces.h"
 #include "mesh/pieces/tuning.h"
 
 #include <algorithm>
@@ -86,13 +85,13 @@ struct NearestPlace {
 // faces along a whole ray. The majority of the three decides, because a line may pass through an edge or a gap.
 class InsideOfBox {
 public:
-    InsideOfBox(const NearbyFaces& faces, const glm::dvec3& centre, double half) noexcept
+    InsideOfBox(const FaceTree& faces, const glm::dvec3& centre, double half) noexcept
         : faces_(faces), reference_{} {
         constexpr double off_centre = 0.37; // in half sides of the box
         for (std::size_t k = 0; k < reference_.size(); ++k)
             reference_[k].place = centre + off_centre * half * ray_directions[k];
     }
-    [[nodiscard]] const NearbyFaces& faces() const noexcept { return faces_; }
+    [[nodiscard]] const FaceTree& faces() const noexcept { return faces_; }
     [[nodiscard]] bool contains(const glm::dvec3& place) noexcept { return contains_free(place, 0.0); }
     // The same for a place from which the mesh is `free` away. Such a place is on the side of the last such place if no
     // face can be between the two.
@@ -115,12 +114,12 @@ private:
         return first == second ? first : is_inside(reference_[2], place, free);
     }
     [[nodiscard]] bool is_inside(Reference& from, const glm::dvec3& place, double free) noexcept {
-        if (!from.winding) from.winding = winding_number(faces_.all(), from.place);
+        if (!from.winding) from.winding = winding_number(faces_, from.place);
         const bool is_near = glm::distance(from.place, place) < 0.99 * free;
         return *from.winding + (is_near ? 0 : faces_.winding_beyond(place, from.place)) > 0;
     }
 
-    const NearbyFaces& faces_;
+    const FaceTree& faces_;
     std::array<Reference, 3> reference_;
     glm::dvec3 last_{0.0};
     double last_free_ = 0.0;
@@ -354,7 +353,7 @@ struct TreeTests {
 
 // Returns the distance, at most `most`, that a point can move from a place inside a face along a direction while that
 // face remains the nearest part of the mesh.
-[[nodiscard]] double free_distance(const NearbyFaces& faces, const glm::dvec3& place, const glm::dvec3& along,
+[[nodiscard]] double free_distance(const FaceTree& faces, const glm::dvec3& place, const glm::dvec3& along,
                                    double most) noexcept {
     const FaceTree::Hit hit = faces.first_hit(place, 2.0 * most * along, 1e-6, 1.0);
     return hit.face < 0 ? most : 0.9 * hit.t * most;
@@ -384,8 +383,7 @@ void test_on_surface(const CellTask& task, const CellBox& box, InsideOfBox& insi
                                      std::span<const std::int32_t> sheets, std::uint64_t cell) {
     constexpr std::uint32_t stream = 78;
     TreeTests tests(task.runtime.memory);
-    const NearbyFaces nearby(task.runtime.memory, task.tree, box.centre, cell_tuning.nearby * box.half);
-    InsideOfBox inside(nearby, box.centre, box.half);
+    InsideOfBox inside(task.tree, box.centre, box.half);
     glm::dvec3 on_mesh = middle_of(task.mesh, faces[0]);
     const std::int64_t n = cell_tuning.along;
     const double spacing = 2.0 * box.half / static_cast<double>(n);

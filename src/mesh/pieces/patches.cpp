@@ -446,12 +446,13 @@ base::Array<std::uint8_t> patches_in_contact(const base::Work& work, const Mesh&
         for (std::int64_t i = begin; i < end; ++i) {
             const glm::dvec3 normal = unit_normal(mesh, places.face[i]);
             against[i] = -1;
-            const auto meet = [&](std::int32_t face, double, int sign) {
-                if (sign > 0 || mesh.component[face] == mesh.component[places.face[i]]) return;
+            const auto meet = [&](std::int32_t face, double t, int sign) {
+                if (t > 1.0 || sign > 0 || mesh.component[face] == mesh.component[places.face[i]]) return;
                 const glm::dvec3 there = doubled_area(mesh.corners(face));
-                if (glm::dot(there, normal) < patch_tuning.most_opposite * glm::length(there)) against[i] = face;
+                if (glm::dot(there, normal) < patch_tuning.most_opposite * glm::length(there))
+                    against[i] = std::max(against[i], face);
             };
-            tree.crossings(places.position[i] - near * normal, 2.0 * near * normal, meet, 1.0);
+            tree.crossings(places.position[i] - near * normal, 2.0 * near * normal, meet);
         }
     });
     base::Array<std::uint8_t> touches(work.memory, creases.patches);

@@ -208,9 +208,6 @@ struct CellTuning {
     // Signs are tested at these two distances from the surface, in half sides of the cell.
     double beside_step = 0.12;
     double finer_step = 0.03;
-    // Faces within a cube of this size, in half sides of the cell, answer most questions about places in the cell.
-    // Larger: larger trees, fewer questions to all faces. It changes no result.
-    double nearby = 1.5;
     // About this many faces of a cell are tested, in the middle and near the sides.
     std::int64_t faces_looked_at = 24;
 };
