@@ -71,7 +71,7 @@ struct MeshRay {
     double t_max;
 };
 
-// The hierarchy of a mesh, and what is cast at it.
+// A mesh, and the rays that are cast at it.
 class MeshRays {
 public:
     MeshRays(const Triangles& mesh, int threads)

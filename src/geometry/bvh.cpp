@@ -182,8 +182,9 @@ bool Bvh::start(const ExactRay& exact, double t_min, double t_max, WalkRay& walk
             if (low > 0.0 || high < 0.0) return false;
             continue;
         }
-        enter = std::max(enter, std::min(low / along[k], high / along[k]));
-        leave = std::min(leave, std::max(low / along[k], high / along[k]));
+        const double inverse = 1.0 / along[k];
+        enter = std::max(enter, std::min(low * inverse, high * inverse));
+        leave = std::min(leave, std::max(low * inverse, high * inverse));
     }
     if (!(enter <= leave)) return false;
     walk.enter = enter;

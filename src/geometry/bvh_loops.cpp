@@ -64,6 +64,14 @@ public:
         }
         return false;
     }
+    // Begins to load the node or leaf on top.
+    HWY_INLINE void prefetch(const BvhView& bvh) const {
+        if (depth_ == 0) return;
+        const std::uint32_t child = waiting_[depth_ - 1].child;
+        const float* const from =
+            (child & bvh_leaf) != 0 ? bvh.leaf[child & ~bvh_leaf].corner[0] : bvh.node[child].side[0];
+        for (int line = 0; line < 4; ++line) __builtin_prefetch(from + 16 * line);
+    }
 
 private:
     static constexpr int most = (bvh_width - 1) * bvh_levels + 1;
@@ -84,6 +92,7 @@ HWY_INLINE void walk(const BvhView& bvh, float limit, BvhVisit visit, void* user
     stack.push(bvh.root);
     std::uint32_t child = 0;
     while (stack.pop(limit, child)) {
+        stack.prefetch(bvh);
         if ((child & bvh_leaf) == 0) {
             const BvhNode& node = bvh.node[child];
             HWY_ALIGN float from[bvh_width];
