@@ -48,7 +48,7 @@ public:
     // Returns the first face that a ray meets at t_min < t < t_max.
     [[nodiscard]] Hit first_hit(const glm::dvec3& origin, const glm::dvec3& direction, double t_min,
                                 double t_max) const noexcept;
-    // Returns whether a ray meets a face at t_min < t < t_max. This is faster than first_hit().
+    // Returns whether a ray meets a face at t_min < t < t_max. The search ends at any such face.
     [[nodiscard]] bool any_hit(const glm::dvec3& origin, const glm::dvec3& direction, double t_min,
                                double t_max) const noexcept;
     // Calls visit(face, t, sign) for all faces that a ray meets at t > 0, in no particular order. The sign is 1 if the

@@ -20,9 +20,9 @@
 namespace hrbfnpr::geometry {
 namespace {
 
-constexpr int most_bins = 16;
-constexpr int few_bins = 8;
-constexpr std::int64_t few_items = 64; // Ranges of fewer items have few_bins bins.
+// The number of bins along each axis. Fewer: building is a little faster, and rays and nearest places a little slower.
+constexpr int bins_of_axis = 16;
+// The largest range that one task builds. Larger: fewer tasks, so threads may wait for the last one.
 constexpr std::int64_t items_of_task = 16384;
 // Nodes on lower levels than this divide their ranges in the middle, which ends after at most log8(2^31) levels more.
 constexpr int depth_of_halving = 24;
@@ -61,24 +61,23 @@ struct Bin {
     FloatBox box;
     std::int64_t count = 0;
 };
-using BinsOfAxis = std::array<Bin, most_bins>;
+using BinsOfAxis = std::array<Bin, bins_of_axis>;
 using Bins = std::array<BinsOfAxis, 3>;
 
 // Divides the middles of items into bins. It works with sums of both sides, which are twice the middles.
 struct Binning {
-    Binning(const FloatBox& sums, std::int64_t items) noexcept : count(items < few_items ? few_bins : most_bins) {
+    explicit Binning(const FloatBox& sums) noexcept {
         for (int k = 0; k < 3; ++k) {
             const float size = sums.high[k] - sums.low[k];
             from[k] = sums.low[k];
-            // The number of bins is less by a little, so that the last place is in the last bin.
-            per[k] = size > 1e-30F ? 0.999F * static_cast<float>(count) / size : 0.0F;
+            // The factor is a little below the number of bins, so that the last place is in the last bin.
+            per[k] = size > 1e-30F ? 0.999F * bins_of_axis / size : 0.0F;
         }
     }
     [[nodiscard]] int bin(const BvhItem& item, int k) const noexcept {
         return static_cast<int>((item.low[k] + item.high[k] - from[k]) * per[k]);
     }
 
-    int count;
     float from[3];
     float per[3];
 };
@@ -115,19 +114,19 @@ struct Plane {
     return static_cast<float>((items + bvh_width - 1) / bvh_width);
 }
 
-[[nodiscard]] Plane best_plane(const Bins& bins, int count) noexcept {
+[[nodiscard]] Plane best_plane(const Bins& bins) noexcept {
     Plane best;
     for (int axis = 0; axis < 3; ++axis) {
         const BinsOfAxis& bin = bins[static_cast<std::size_t>(axis)];
-        std::array<Bin, most_bins> above; // all bins from this one
+        std::array<Bin, bins_of_axis> above; // all bins from this one
         Bin sum;
-        for (int i = count - 1; i > 0; --i) {
+        for (int i = bins_of_axis - 1; i > 0; --i) {
             sum.box.extend(bin[static_cast<std::size_t>(i)].box);
             sum.count += bin[static_cast<std::size_t>(i)].count;
             above[static_cast<std::size_t>(i)] = sum;
         }
         sum = {};
-        for (int i = 1; i < count; ++i) {
+        for (int i = 1; i < bins_of_axis; ++i) {
             sum.box.extend(bin[static_cast<std::size_t>(i - 1)].box);
             sum.count += bin[static_cast<std::size_t>(i - 1)].count;
             const Bin& rest = above[static_cast<std::size_t>(i)];
@@ -161,10 +160,10 @@ using TwoRanges = std::pair<ItemRange, ItemRange>;
 }
 
 [[nodiscard]] TwoRanges divide(BvhItem* item, const ItemRange& range) {
-    const Binning binning(sums_of(item + range.begin, item + range.end), range.size());
+    const Binning binning(sums_of(item + range.begin, item + range.end));
     Bins bins;
     fill(item + range.begin, item + range.end, binning, bins);
-    const Plane plane = best_plane(bins, binning.count);
+    const Plane plane = best_plane(bins);
     return plane.axis < 0 ? halve(item, range) : divide_at(item, range, binning, plane);
 }
 
@@ -182,18 +181,18 @@ using TwoRanges = std::pair<ItemRange, ItemRange>;
     for_chunks(
         [&](std::int64_t chunk, const BvhItem* begin, const BvhItem* end) { sums[chunk] = sums_of(begin, end); });
     for (std::int64_t chunk = 1; chunk < chunks; ++chunk) sums[0].extend(sums[chunk]);
-    const Binning binning(sums[0], range.size());
+    const Binning binning(sums[0]);
     for_chunks([&](std::int64_t chunk, const BvhItem* begin, const BvhItem* end) {
         part[chunk] = {};
         fill(begin, end, binning, part[chunk]);
     });
     for (std::int64_t chunk = 1; chunk < chunks; ++chunk)
         for (std::size_t axis = 0; axis < 3; ++axis)
-            for (std::size_t i = 0; i < most_bins; ++i) {
+            for (std::size_t i = 0; i < bins_of_axis; ++i) {
                 part[0][axis][i].box.extend(part[chunk][axis][i].box);
                 part[0][axis][i].count += part[chunk][axis][i].count;
             }
-    const Plane plane = best_plane(part[0], binning.count);
+    const Plane plane = best_plane(part[0]);
     return plane.axis < 0 ? halve(item, range) : divide_at(item, range, binning, plane);
 }
 
