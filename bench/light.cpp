@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light: rays on the triangles of a mesh, as occlusion and shadows cast them. Rows rays_* are millions a second.
-// --models=DIR --named=TEXT: also meshes of a folder, divided until they have at least 200 000 faces.
+// --models=DIR --named=TEXT: also meshes of a folder, divided until they have at least 150 000 faces.
 // --threads=2, --large: also 2 million faces.
 #include "calls.h"
 #include "mesh_rays.h"
@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
         if (large) bench::report_mesh_rays("large", bench::bumpy_ball(708), threads);
         if (models.empty()) return 0;
         for (auto& [name, mesh] : bench::read_meshes(models, named)) {
-            while (mesh.faces() < 200000) mesh = bench::divided(mesh);
+            while (mesh.faces() < 150000) mesh = bench::divided(mesh);
             bench::report_mesh_rays(name, mesh, threads);
         }
     } catch (const std::exception& problem) {
