@@ -85,8 +85,7 @@ struct NearestPlace {
 // faces along a whole ray. The majority of the three decides, because a line may pass through an edge or a gap.
 class InsideOfBox {
 public:
-    InsideOfBox(const FaceTree& faces, const glm::dvec3& centre, double half) noexcept
-        : faces_(faces), reference_{} {
+    InsideOfBox(const FaceTree& faces, const glm::dvec3& centre, double half) noexcept : faces_(faces), reference_{} {
         constexpr double off_centre = 0.37; // in half sides of the box
         for (std::size_t k = 0; k < reference_.size(); ++k)
             reference_[k].place = centre + off_centre * half * ray_directions[k];
