@@ -13,7 +13,7 @@ namespace hrbfnpr::geometry {
 
 inline constexpr int bvh_width = 8; // the number of children of a node, and the largest number of triangles of a leaf
 
-// Boxes are larger than what they hold by this much on each side. It exceeds the sum of all rounding errors of a test
+// Boxes are larger than their contents by this much on each side. It exceeds the sum of all rounding errors of a test
 // of a ray and a box: the origin and the sides of the box are off by 2^-24, their difference by 2^-23, and the inverse
 // and the product together by 2^-22.
 inline constexpr float bvh_margin = 0x1p-19F;

@@ -3,6 +3,9 @@
 // if a bound on |grad f| is given.
 #include "trimmed.h"
 
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
 #include <cmath>
 #include <cstring>
 #include <random>
