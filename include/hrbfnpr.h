@@ -1048,7 +1048,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_ray_hits_init(hrbfnpr_ray_hits* hits, uint32_
  * t_min.  Rays may start inside.
  *
  * A call with a few thousand rays on a fit prepares the model, as hrbfnpr_model_evaluate
- * does (docs/accuracy.md), and is 30 to 100 times as fast, unless lipschitz is given.
+ * does (docs/accuracy.md), and is 30 to 60 times as fast, unless lipschitz is given.
  * It finds the same hits within the tolerance.  The last bits depend on whether n is
  * enough for that, but not on the other rays or on earlier calls.
  *

@@ -153,7 +153,8 @@ void HatchingField::place_lines(const marks::Site& site, const Settings& setting
     report.step = separation;
     report.levels = levels;
     const double expected = area_ / (separation * step_of(settings, separation));
-    if (site.need != nullptr) marks.whole = std::max<std::int64_t>(1, static_cast<std::int64_t>(expected));
+    // This is 0 if the separation is too large for the surface.
+    if (site.need != nullptr) marks.whole = static_cast<std::int64_t>(expected);
     if (mesh_.triangles() == 0) return;
     add_sample_waves(site.work.part(0.0, 0.4), graph_, site.random_seed, levels, samples);
     const base::Array<std::uint8_t> needed = needed_samples(site, graph_, separation);

@@ -64,6 +64,13 @@ TEST_F(Still, HasFewerMarksAndShowsAsMany) {
     }
 }
 
+TEST_F(Still, RefusesASeparationThatIsTooLarge) {
+    desc.layer.clear();
+    desc.add(HRBFNPR_LAYER_KIND_HATCH, 1000);
+    desc.layer[0].separation = 50.0;
+    EXPECT_FAILS(generate_still(), HRBFNPR_STATUS_NOT_CONVERGED, "use a smaller separation");
+}
+
 TEST_F(Still, RefusesOtherDrawings) {
     ASSERT_OK(generate_still());
     style.paper[0] = 0.5F;

@@ -12,7 +12,7 @@ namespace HrbfNpr
         /// <remarks>
         /// The search may miss two hits that are closer than <see cref="CastOptions.SmallestStep"/> along the ray.  A
         /// ray that starts on the surface may or may not have a hit there.  A call with a few thousand rays on a fit
-        /// prepares the model and is 30 to 100 times as fast, unless <see cref="CastOptions.Lipschitz"/> is given.
+        /// prepares the model and is 30 to 60 times as fast, unless <see cref="CastOptions.Lipschitz"/> is given.
         /// </remarks>
         /// <param name="origins">The n origins, which may lie inside.</param>
         /// <param name="directions">The n directions, of any length but 0.</param>

@@ -362,7 +362,7 @@ class Model(MeshFits, Trimming, Combining):
 
         The surface is looked for in the model's bounds, enlarged by 0.05 diagonals on every side.
 
-        A call with a few thousand rays on a fit prepares the model and is 30 to 100 times as fast, unless `lipschitz` is
+        A call with a few thousand rays on a fit prepares the model and is 30 to 60 times as fast, unless `lipschitz` is
         given.  It finds the same hits within the tolerance.
 
         Parameters
