@@ -47,6 +47,7 @@ FLOORS = {
     "surface": 4,
     "implicit": 3,
     "kernel": 2,
+    "light": 2,
     "mesh": 2,
     "geometry": 1,
     "base": 0,

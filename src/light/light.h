@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// How much light reaches places of a surface past the meshes that cast shadows.
+//
+//   find_openness   places → how much of the sky each sees                      [Zhukov, Iones, Kronin 1998]
+//   find_visible    places, a lamp → how much of the lamp each sees
+#pragma once
+
+#include "base/memory.h"
+#include "base/work.h"
+#include "geometry/bvh.h"
+#include "geometry/vec_array.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::light {
+
+// Places on a surface, with unit normals. Rays begin at `offset` above them along the normal, so that they do not meet
+// the surface's own mesh. The offset is the largest distance of the mesh from the surface.
+struct Places {
+    const geometry::VecArray& position;
+    const geometry::VecArray& normal;
+    double offset;
+};
+
+struct Sky {
+    double reach;                 // Parts farther away than this hide no sky. Above 0.
+    std::int32_t rays = 64;       // the number of rays of a place
+    std::int64_t samples = 24000; // At most about this number of places have own rays, unless others differ from them.
+};
+
+// Returns for each place how much of the sky it sees, from 0 to 1: one minus the mean of 1 - t / reach over directions,
+// weighted by the cosine, where t is the distance at which the ray meets a mesh. Most places take the mean of samples
+// around them. Places whose samples differ have own rays. The result is the same for any number of threads.
+[[nodiscard]] base::Array<float> find_openness(const base::Work& work, const geometry::Bvh& casters,
+                                               const Places& places, const Sky& sky);
+
+struct Lamp {
+    glm::dvec3 place; // the direction to the lamp, or its place
+    bool is_place = false;
+    double softness = 0.0;  // the radius of the lamp's disc, as an angle that is seen from the surface, in radians
+    std::int32_t rays = 32; // the number of rays of a place in the penumbra
+};
+
+// Returns for each place which part of the lamp it sees, from 0 to 1. Places that face away see 0.
+[[nodiscard]] base::Array<float> find_visible(const base::Work& work, const geometry::Bvh& casters,
+                                              const Places& places, const Lamp& lamp);
+
+} // namespace hrbfnpr::light
