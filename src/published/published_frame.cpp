@@ -65,7 +65,8 @@ void for_marks(const base::Parallel& parallel, const Scene& scene, const Visit& 
     mark.nu = glm::dot(glm::normalize(item.normal_to_eye * own_normal), glm::normalize(sight));
     if (!inside(lens.viewport, at.x, at.y, at.z, reach(run, mark.pixels_per_unit)) || !(std::abs(mark.nu) <= 1.001F))
         return mark;
-    mark.tau = style.tone == Tone::light ? LightTone(style)(lit(item.light, own_normal)) : 0.0F;
+    mark.tau = style.tone == Tone::light ? light_at(item.lighting, run.place_of(number, item.unit), own_normal, mark.nu)
+                                         : 0.0F;
     // The distance is measured from the eye or, in a parallel projection, from the eye's plane.
     mark.tau_depth = DepthTone(style, lens.eye_per_world)(lens.centre.w == 0.0F ? mark.depth : glm::length(sight));
     const auto threshold = static_cast<float>(style.silhouette_threshold);

@@ -194,12 +194,17 @@ struct VisibleCluster {
 
 // Returns an upper bound for the share of front marks that select() shows.
 [[nodiscard]] float largest_shown_share(const RunView& v, const Selection& selection,
-                                        const ClusterView& view) noexcept {
+                                        const VisibleCluster& visible) noexcept {
+    const ClusterView& view = visible.view;
     const Style& style = v.item.style;
     if (selection.is_published || style.tone == Tone::callback) return 1.0F;
     // For other tones, the cone of normals gives no bound.
     const bool is_bounded = style.tone == Tone::light && !v.run.has_tone_normals();
-    float shown = 1.0F - (is_bounded ? LightTone(style).least(view.lit_min) : 0.0F);
+    const Shading* const shading = v.run.shading_of(v.item);
+    const SeenShares seen =
+        shading != nullptr ? shading->layers[v.run.layer].of_cluster[&visible.cluster - v.run.clusters->cluster.data()]
+                           : SeenShares();
+    float shown = 1.0F - (is_bounded ? least_tau(visible.cluster, v.sight, seen) : 0.0F);
     if (selection.coverage) {
         const float nu = std::max(-view.nu_min, -view.nu_max);
         const auto cell = static_cast<std::size_t>(shown * needed_steps);
@@ -375,7 +380,7 @@ void add_splats(const RunView& v, const VisibleCluster& visible, const Projected
 
 // Returns tau of the marks. If no callback gave it, it is computed into `scratch`.
 [[nodiscard]] const float* tones_of(const RunView& v, const VisibleCluster& visible, const ProjectedMarks& projected,
-                                    std::int64_t count, float* scratch) noexcept {
+                                    std::int64_t count, const ProjectionLoops& loops, float* scratch) noexcept {
     const Style& style = v.item.style;
     if (style.tone == Tone::callback)
         return v.all.tau.data() + v.run.first_place + visible.cluster.block * MarkBlock::size;
@@ -383,15 +388,30 @@ void add_splats(const RunView& v, const VisibleCluster& visible, const Projected
         std::fill_n(scratch, count, 0.0F);
         return scratch;
     }
-    const LightTone tone(style);
-    const float* lit_marks = projected.lit;
-    if (v.run.has_tone_normals()) {
-        // The normals are scattered in memory. This short loop lets the processor read several at the same time.
-        const Light& light = v.sight.view_transform.light;
-        for (std::int64_t i = 0; i < count; ++i) scratch[i] = lit(light, v.run.tone_normal_of(visible.mark(i)));
-        lit_marks = scratch;
+    const Lighting& lighting = v.sight.lighting;
+    const Shading* const shading = v.run.shading_of(v.item);
+    const std::int64_t first_place = visible.cluster.block * MarkBlock::size;
+    if (!v.run.has_tone_normals()) {
+        const LightShares shares = shading != nullptr ? shading->in_blocks(v.run.layer, first_place) : LightShares();
+        loops.light(lighting, {visible.blocks, count}, projected.nu, shares, scratch);
+        return scratch;
     }
-    for (std::int64_t i = 0; i < count; ++i) scratch[i] = tone(lit_marks[i]);
+    // The normals are scattered in memory.
+    MarkBlock block;
+    for (std::int64_t first = 0; first < count; first += MarkBlock::size) {
+        const MarkBlock& own = visible.blocks[first / MarkBlock::size];
+        const std::int64_t size = std::min(count - first, MarkBlock::size);
+        for (std::int64_t i = 0; i < size; ++i) {
+            const glm::vec3 normal = v.run.tone_normal_of(own.mark[i]);
+            block.nx[i] = normal.x;
+            block.ny[i] = normal.y;
+            block.nz[i] = normal.z;
+        }
+        const LightShares shares =
+            shading != nullptr ? shading->in_blocks(v.run.layer, first_place + first) : LightShares();
+        loops.light_rows(lighting, {own.x, own.y, own.z, block.nx, block.ny, block.nz, size}, projected.nu + first,
+                         shares, scratch + first);
+    }
     return scratch;
 }
 
@@ -405,7 +425,8 @@ void add_dots(const RunView& v, const VisibleCluster& visible, const Selection& 
     for (std::int64_t i = 0; depth_tone.is_on && i < count; ++i)
         tau_depth[static_cast<std::size_t>(i)] = depth_tone(projected.distance[i]);
     Selected selected;
-    loops.select(selection, {visible.blocks, count}, projected, tones_of(v, visible, projected, count, tau.data()),
+    loops.select(selection, {visible.blocks, count}, projected,
+                 tones_of(v, visible, projected, count, loops, tau.data()),
                  depth_tone.is_on ? tau_depth.data() : nullptr, selected);
     if (!visible.is_uniform) {
         out.counts.outside += selected.outside;
@@ -471,7 +492,7 @@ void gather_cluster(const RunView& v, const marks::Cluster& cluster, const Proje
     const Selection selection = selection_of(v, visible, reach);
     const bool tone = v.run.draws_front && v.run.shape != Shape::hatch && v.run.draws_direction(cluster.direction) &&
                       view.nu_min < 0.0F;
-    const std::int64_t inks = tone ? count_shown(visible, largest_shown_share(v, selection, view)) : 0;
+    const std::int64_t inks = tone ? count_shown(visible, largest_shown_share(v, selection, visible)) : 0;
     if (!visible.is_uniform)
         counts.culled += marks - inks;
     else if (tone)

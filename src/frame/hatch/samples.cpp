@@ -110,9 +110,10 @@ RunSight sight_of_run(const HatchView& view, const Run& run, const ItemSight& si
     v.law = {&style, static_cast<float>(v.levels), 1.0F / (style.hatch_tone_end - style.hatch_tone_begin),
              1.0F / style.hatch_spacing, 1.0F / style.hatch_pen};
     const bool posed = run.normal != run.marks->normal.data();
-    if (taus == nullptr && item.style.tone == Tone::light && !(posed && run.has_tone_normals())) {
+    const bool is_shaded = run.shading_of(item) != nullptr;
+    if (taus == nullptr && item.style.tone == Tone::light && !is_shaded && !(posed && run.has_tone_normals())) {
         if (run.has_tone_normals()) v.tone_normal = run.marks->tone_normal.data();
-        v.lightest = LightTone(item.style).lightest(1.0F - style.hatch_tone_begin, rounding_of_darkness);
+        v.lightest = lightest_facing(sight.lighting, 1.0F - style.hatch_tone_begin, rounding_of_darkness);
     }
     if (!nested) return v;
     v.separation = static_cast<float>(std::ldexp(run.marks->report.step / item.unit, v.levels));
@@ -142,7 +143,10 @@ bool may_draw_piece(const RunSight& v, const marks::StrokePiece& piece) noexcept
         return false;
     // Computes an upper bound for the darkness of the marks, from a lower bound for their tone.
     const bool is_lit = v.taus == nullptr && v.item.style.tone == Tone::light;
-    const float tau = is_lit ? LightTone(v.item.style).least(least_lit(piece, v.sight)) : 0.0F;
+    const Shading* const shading = v.run.shading_of(v.item);
+    const std::int64_t number = &piece - v.run.clusters->piece.data();
+    const SeenShares seen = shading != nullptr ? shading->layers[v.run.layer].of_piece[number] : SeenShares();
+    const float tau = is_lit ? least_tau_of_piece(piece, v.sight, seen) : 0.0F;
     const float darkness = 1.0F - tau + rounding_of_margins;
     if (darkness < v.style.hatch_tone_begin) return false;
     return !(v.separation > 0.0F) || has_room(v, piece.level, view.nearest, darkness);
@@ -156,7 +160,7 @@ std::uint32_t marks_that_may(const RunSight& v, const marks::StrokePiece& piece)
     for (std::size_t k = 0; k < 3; ++k) {
         const auto i = static_cast<int>(k);
         bounds.sight[k] = view_transform.parallel ? v.sight.eye[i] : piece.centre[k] - v.sight.eye[i];
-        bounds.light[k] = view_transform.light.towards[k];
+        bounds.light[k] = v.sight.lighting.lamps[0].place[k];
     }
     bounds.away = view_transform.parallel ? 0.0F : most_length * piece.radius;
     bounds.lightest = v.lightest;
@@ -304,15 +308,18 @@ void set_darkness(const RunSight& v, std::span<const std::uint32_t> numbers, con
     const auto count = static_cast<std::int64_t>(numbers.size());
     const Style& style = v.item.style;
     float* const darkness = rows[HatchRow::darkness];
-    const LightTone light(style);
-    if (v.taus != nullptr)
+    if (v.taus != nullptr) {
         for (std::int64_t i = 0; i < count; ++i) darkness[i] = 1.0F - v.taus[numbers[static_cast<std::size_t>(i)]];
-    else if (style.tone != Tone::light)
+    } else if (style.tone != Tone::light) {
         std::fill_n(darkness, count, 1.0F);
-    else if (light.exponent == 1.0F)
-        for (std::int64_t i = 0; i < count; ++i) darkness[i] = 1.0F - light_tone(darkness[i], 1.0F, light.fill);
-    else
-        for (std::int64_t i = 0; i < count; ++i) darkness[i] = 1.0F - light(darkness[i]);
+    } else {
+        const float* const tone = rows[v.run.has_tone_normals() ? HatchRow::tone_x : HatchRow::normal_x];
+        light_marks(v.view.see, v.sight.lighting, {v.run.shading_of(v.item), v.run.layer, numbers},
+                    {rows[HatchRow::x], rows[HatchRow::y], rows[HatchRow::z], tone, tone + rows.stride,
+                     tone + 2 * rows.stride, count},
+                    rows[HatchRow::nu], darkness);
+        for (std::int64_t i = 0; i < count; ++i) darkness[i] = 1.0F - darkness[i];
+    }
     const DepthTone depth_tone(style, v.view.scene.lens.eye_per_world);
     for (std::int64_t i = 0; depth_tone.is_on && i < count; ++i) darkness[i] *= depth_tone(rows[HatchRow::distance][i]);
     if (v.taus == nullptr) return;
@@ -354,15 +361,12 @@ void see_marks(const RunSight& v, std::span<const std::uint32_t> numbers, const 
     const glm::vec4& port = v.view.scene.lens.viewport;
     const HatchSight how{&v.sight.view_transform, v.separation,    port.x,  port.y,
                          port.x + port.z,         port.y + port.w, v.beyond};
-    const HatchRow tone = v.run.has_tone_normals() ? HatchRow::tone_x : HatchRow::normal_x;
-    const float* const tone_x = rows[tone];
     v.view.see.project_rows(v.sight.view_transform,
                             {rows[HatchRow::x], rows[HatchRow::y], rows[HatchRow::z], rows[HatchRow::normal_x],
-                             rows[HatchRow::normal_y], rows[HatchRow::normal_z], tone_x, tone_x + rows.stride,
-                             tone_x + 2 * rows.stride, count},
+                             rows[HatchRow::normal_y], rows[HatchRow::normal_z], count},
                             {rows[HatchRow::left], rows[HatchRow::top], rows[HatchRow::window], rows[HatchRow::depth],
-                             rows[HatchRow::pixels_per_unit], rows[HatchRow::nu], rows[HatchRow::darkness],
-                             rows[HatchRow::side_x], rows[HatchRow::side_y], rows[HatchRow::distance], nullptr});
+                             rows[HatchRow::pixels_per_unit], rows[HatchRow::nu], rows[HatchRow::side_x],
+                             rows[HatchRow::side_y], rows[HatchRow::distance], nullptr});
     v.view.loops.project(how, rows, count);
     set_darkness(v, numbers, rows);
     if (v.separation > 0.0F)

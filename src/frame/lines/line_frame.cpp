@@ -346,10 +346,11 @@ void add_style(const base::Work& work, const Scene& scene, const LineSource& sou
     }
     case LineKind::isophote: {
         // The inverse transpose transforms normals, so that n . l is the same as in the space of the light.
-        const glm::dmat3 to_space = item.style.light_space == LightSpace::camera
-                                        ? glm::dmat3(scene.camera.view * item.transform)
-                                        : glm::dmat3(item.transform);
-        const glm::dvec4 light(glm::normalize(glm::inverse(to_space) * item.style.light), 0.0);
+        const LightStyle key = item.style.key_light();
+        const glm::dmat3 to_space = key.space == LightSpace::camera  ? glm::dmat3(scene.camera.view * item.transform)
+                                    : key.space == LightSpace::world ? glm::dmat3(item.transform)
+                                                                     : glm::dmat3(1.0);
+        const glm::dvec4 light(glm::normalize(glm::inverse(to_space) * key.place), 0.0);
         add_features(work, source, style, layer, light, out);
         break;
     }

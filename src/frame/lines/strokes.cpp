@@ -112,7 +112,7 @@ DepthRange depth_range(const LineInput& in) {
     return range;
 }
 
-base::Array<float> point_factors(const LineInput& in, const Light& light, const DrawnSubject& drawn,
+base::Array<float> point_factors(const LineInput& in, const ItemView& item, const DrawnSubject& drawn,
                                  const visibility::Subject& subject, const DepthRange& depths) {
     const glm::dmat4 to_eye = in.scene.camera.view * subject.to_world;
     const double range = depths.farthest - depths.nearest;
@@ -120,7 +120,8 @@ base::Array<float> point_factors(const LineInput& in, const Light& light, const 
     base::Array<float> factors(in.runtime.memory, points.size());
     for (std::int64_t i = 0; i < points.size(); ++i) {
         const double depth = -(to_eye * glm::dvec4(points[i].position, 1.0)).z;
-        const float n_dot_l = lit(light, glm::vec3(glm::normalize(points[i].gradient)));
+        const glm::vec3 place((points[i].position - item.origin) / item.unit);
+        const float n_dot_l = facing(item.lighting, place, glm::vec3(glm::normalize(points[i].gradient)));
         const double facing =
             std::isfinite(n_dot_l) ? static_cast<double>(n_dot_l) : 0.0; // n . l is NaN if f is constant there.
         const double far = range > 0.0 ? (depth - depths.nearest) / range : 0.0;
@@ -225,9 +226,9 @@ visibility::Outline find_widths(const LineInput& in, const drawing::Drawing& dra
         HRBFNPR_ASSERT(drawn.subject >= 0 && drawn.subject < wanted.size());
         if (has_outline_factor(drawn)) wanted[drawn.subject] = 1;
         if (!has_point_law(*drawn.style)) continue;
-        const Light& light = in.scene.items[drawing.layers[drawn.layer].item].light;
+        const ItemView& item = in.scene.items[drawing.layers[drawn.layer].item];
         base::Array<float>& factors =
-            in.traced.numbers.add(point_factors(in, light, drawn, in.found.subjects[drawn.subject], depths));
+            in.traced.numbers.add(point_factors(in, item, drawn, in.found.subjects[drawn.subject], depths));
         if (drawn.style->curvature_factor != 1.0F) add_curvature(in, drawn, factors, progress);
         drawn.factor = factors.data();
     }

@@ -10,6 +10,7 @@
 
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -303,6 +304,13 @@ void check(const Camera& camera) {
              static_cast<unsigned>(camera.depth));
     if (!(mean_scale(camera.view) > 0.0))
         fail(Status::invalid_argument, "camera.view is singular; it must be invertible");
+}
+
+glm::mat3 normal_matrix(const glm::dmat4& m) {
+    const glm::dmat3 inverse = glm::inverseTranspose(glm::dmat3(m));
+    double largest = 0.0;
+    for (int i = 0; i < 9; ++i) largest = std::max(largest, std::abs(inverse[i / 3][i % 3]));
+    return glm::mat3(inverse / largest);
 }
 
 double mean_scale(const glm::dmat4& transform) noexcept {

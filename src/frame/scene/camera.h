@@ -63,4 +63,7 @@ struct Lens {
 // Returns the cube root of the factor by which a transform scales volumes.
 [[nodiscard]] double mean_scale(const glm::dmat4& transform) noexcept;
 
+// Returns the inverse transpose, scaled to the range of floats. Only the directions of its products matter.
+[[nodiscard]] glm::mat3 normal_matrix(const glm::dmat4& m);
+
 } // namespace hrbfnpr::frame

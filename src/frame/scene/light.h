@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The light on a surface, the tones that follow from light, distance and zoom, and the marks that are drawn for a tone.
-// Dots, hatching, lines and published marks all use these functions.                                        [NPAR 6.2]
+// The tones that follow from distance and zoom, and the marks that are drawn for a tone. lighting.h has the tones by
+// light. Dots, hatching, lines and published marks all use these functions.                                 [NPAR 6.2]
 //
-// 1. lit: n . l of a normal; projection_loops.cpp has a version for vectors.
-// 2. LightTone: tau of n . l, and a bound by which clusters are skipped.
-// 3. DepthTone, zoom_scale: the share of the marks that is left at a distance and a zoom.
-// 4. front_verdict, silhouette_shown: whether a mark is drawn.
-// 5. front_alpha, back_alpha, layer_transmittance: how much marks and layers hide.
+// 1. DepthTone, zoom_scale: the share of the marks that is left at a distance and a zoom.
+// 2. front_verdict, silhouette_shown: whether a mark is drawn.
+// 3. front_alpha, back_alpha, layer_transmittance: how much marks and layers hide.
 #pragma once
 
 #include "base/assert.h"
 #include "base/bits.h"
-#include "frame/scene/projection_loops.h"
 #include "frame/scene/style.h"
 #include "frame/scene/tuning.h"
 
@@ -22,53 +19,6 @@
 #include <numbers>
 
 namespace hrbfnpr::frame {
-
-// Returns n . l for a unit normal. The function in see_loops.cpp gives the same bits.
-[[nodiscard]] inline float lit(const Light& light, const glm::vec3& n) noexcept {
-    const auto dot = [](const float(&row)[3], const glm::vec3& v) {
-        return row[0] * v.x + row[1] * v.y + row[2] * v.z;
-    };
-    if (light.rigid) return dot(light.towards, n);
-    const glm::vec3 turned(dot(light.normal[0], n), dot(light.normal[1], n), dot(light.normal[2], n));
-    return dot(light.towards, turned) / glm::length(turned);
-}
-
-// Returns tau = max(0, n . l)^exponent + fill max(0, -n . l)^2: 1 is light, 0 is dark. The fill light comes from the
-// opposite side. Because it is squared, the terminator stays dark, and tones vary where the surface faces the fill
-// light.
-[[nodiscard]] inline float light_tone(float n_dot_l, float exponent, float fill = 0.0F) noexcept {
-    const float lit = std::clamp(n_dot_l, 0.0F, 1.0F);
-    const float away = std::clamp(-n_dot_l, 0.0F, 1.0F);
-    return (exponent == 1.0F ? lit : std::pow(lit, exponent)) + fill * away * away;
-}
-
-// How a style makes tone from light. Published styles have no fill light.
-struct LightTone {
-    explicit LightTone(const Style& style) noexcept
-        : exponent(static_cast<float>(style.tone_exponent)),
-          fill(style.visibility == Visibility::published || style.tone_rule == ToneRule::published ? 0.0F
-                                                                                                   : style.fill_light) {
-    }
-
-    [[nodiscard]] float operator()(float n_dot_l) const noexcept { return light_tone(n_dot_l, exponent, fill); }
-
-    // Returns a lower bound of the tone where n . l is at least `least_lit`. The fill light is ignored, because the
-    // terminator may be in between.
-    [[nodiscard]] float least(float least_lit) const noexcept { return light_tone(least_lit, exponent); }
-
-    // The inverse of least(). Where n . l is above the result, tones exceed `tau` by at least `rounding`. The result is
-    // infinite if no n . l is large enough.
-    [[nodiscard]] float lightest(float tau, float rounding) const noexcept {
-        HRBFNPR_ASSERT(rounding > 0.0F);
-        constexpr float any = std::numeric_limits<float>::infinity();
-        const float above = tau + 2.0F * rounding;
-        if (!(above < 1.0F)) return any;
-        const float lightest = above > 0.0F ? std::pow(above, 1.0F / exponent) : 0.0F;
-        return least(lightest) > tau + rounding ? lightest : any;
-    }
-
-    float exponent, fill;
-};
 
 // Returns tau_d, which is 1 up to depth_min and 0 from depth_max on. In between, it falls linearly with the logarithm
 // of the distance.

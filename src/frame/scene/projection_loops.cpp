@@ -6,6 +6,8 @@
 #include "base/assert.h"
 #include "frame/scene/projection_loops.h"
 
+#include <cmath>
+
 HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::frame::HWY_NAMESPACE::projection_loops {
 namespace {
@@ -26,17 +28,131 @@ HWY_INLINE W dot3(const float* row, W x, W y, W z) {
 HWY_INLINE W affine(const float* row, W x, W y, W z) { return hn::Add(dot3(row, x, y, z), hn::Set(F(), row[3])); }
 HWY_INLINE W squared(W x, W y, W z) { return hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z)); }
 
-// Returns n . l with the same bits as lit() in light.h.
-HWY_INLINE W lit(const Light& light, W nx, W ny, W nz) {
-    if (light.rigid) return dot3(light.towards, nx, ny, nz);
-    const W x = dot3(light.normal[0], nx, ny, nz);
-    const W y = dot3(light.normal[1], nx, ny, nz);
-    const W z = dot3(light.normal[2], nx, ny, nz);
-    return hn::Div(dot3(light.towards, x, y, z), hn::Sqrt(squared(x, y, z)));
+// Returns x to the power `exponent`. Most exponents use the function for one number, so that all instruction sets give
+// the same bits.
+HWY_INLINE W power(W x, float exponent) {
+    const F d;
+    if (exponent == 1.0F) return x;
+    if (exponent == 1.5F) return hn::Mul(x, hn::Sqrt(x));
+    if (exponent == 2.0F) return hn::Mul(x, x);
+    if (exponent == 3.0F) return hn::Mul(hn::Mul(x, x), x);
+    HWY_ALIGN float lane[marks::MarkBlock::size];
+    hn::Store(x, d, lane);
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i) lane[i] = std::pow(lane[i], exponent);
+    return hn::Load(d, lane);
 }
 
-// Projects the vector of marks at `at`. load(0) to load(8) give x, y and z of the position, the normal, and the normal
-// for tone.
+HWY_INLINE W clamped(W x) {
+    const F d;
+    return hn::Min(hn::Max(x, hn::Zero(d)), hn::Set(d, 1.0F));
+}
+
+// Returns the product of the unit vector towards a lamp and a vector of normals.
+HWY_INLINE W facing(const Lamp& lamp, const W (&at)[3], const W (&normal)[3]) {
+    const F d;
+    if (lamp.place[3] == 0.0F) return dot3(lamp.place, normal[0], normal[1], normal[2]);
+    const W x = hn::Sub(hn::Set(d, lamp.place[0]), at[0]);
+    const W y = hn::Sub(hn::Set(d, lamp.place[1]), at[1]);
+    const W z = hn::Sub(hn::Set(d, lamp.place[2]), at[2]);
+    const W cosine = hn::Add(hn::Add(hn::Mul(x, normal[0]), hn::Mul(y, normal[1])), hn::Mul(z, normal[2]));
+    // A mark at the place of the light itself is dark.
+    return hn::Div(cosine, hn::Sqrt(hn::Max(squared(x, y, z), hn::Set(d, 1e-30F))));
+}
+
+// Returns tau of a sum of light.
+HWY_INLINE W tone_of(const Lighting& s, W sum) {
+    const F d;
+    W tau = clamped(hn::Mul(hn::Sub(sum, hn::Set(d, s.black)), hn::Set(d, s.per_range)));
+    tau = power(tau, s.gamma);
+    if (s.steps == 0) return tau;
+    const W step = hn::Floor(hn::Mul(tau, hn::Set(d, static_cast<float>(s.steps))));
+    const auto last = static_cast<float>(s.steps - 1);
+    return hn::Mul(hn::Min(step, hn::Set(d, last)), hn::Set(d, 1.0F / last));
+}
+
+// Returns the light that is left if the share `seen` of its source is seen.
+HWY_INLINE W left_of(W light, W seen, float strength) {
+    const F d;
+    const W one = hn::Set(d, 1.0F);
+    return hn::Mul(light, hn::Sub(one, hn::Mul(hn::Set(d, strength), hn::Sub(one, seen))));
+}
+
+// The places and normals of a vector of marks, in the space of the lamps.
+struct LitVector {
+    W at[3], normal[3];
+    W length; // the lengths of the normals; 1 if `rigid`
+    bool rigid;
+
+    HWY_INLINE W of_unit(W cosine) const { return rigid ? cosine : hn::Div(cosine, length); }
+};
+
+HWY_INLINE LitVector in_light(const Lighting& s, const W (&position)[3], const W (&own_normal)[3]) {
+    const F d;
+    LitVector v{{position[0], position[1], position[2]},
+                {own_normal[0], own_normal[1], own_normal[2]},
+                hn::Set(d, 1.0F),
+                s.rigid};
+    if (s.rigid) return v;
+    for (int k = 0; k < 3; ++k) {
+        v.at[k] = dot3(s.place[k], position[0], position[1], position[2]);
+        v.normal[k] = dot3(s.normal[k], own_normal[0], own_normal[1], own_normal[2]);
+    }
+    v.length = hn::Sqrt(squared(v.normal[0], v.normal[1], v.normal[2]));
+    return v;
+}
+
+// Returns tau of a vector of marks, whose shares begin at `at`.
+HWY_INLINE W lit(const Lighting& s, const LitVector& v, W nu, const LightShares& shares, std::int64_t at) {
+    const F d;
+    W sum = hn::Set(d, s.ambient);
+    if (s.from_sky != 0.0F)
+        sum =
+            hn::Add(sum, hn::Mul(hn::Set(d, s.from_sky), v.of_unit(dot3(s.up, v.normal[0], v.normal[1], v.normal[2]))));
+    if (shares.open != nullptr)
+        sum = left_of(sum, power(hn::LoadU(d, shares.open + at), s.occlusion_exponent), s.occlusion);
+    for (std::int32_t i = 0; i < s.count; ++i) {
+        const Lamp& lamp = s.lamps[i];
+        const W cosine = v.of_unit(facing(lamp, v.at, v.normal));
+        W light = hn::Mul(hn::Set(d, lamp.intensity), power(clamped(cosine), s.exponent));
+        if (shares.visible[i] != nullptr) light = left_of(light, hn::LoadU(d, shares.visible[i] + at), lamp.shadow);
+        sum = hn::Add(sum, light);
+        if (lamp.fill == 0.0F) continue;
+        const W away = clamped(hn::Neg(cosine));
+        sum = hn::Add(sum, hn::Mul(hn::Mul(hn::Set(d, lamp.fill), away), away));
+    }
+    if (s.rim > 0.0F) {
+        const W side = clamped(hn::Sub(hn::Set(d, 1.0F), hn::Abs(nu)));
+        sum = hn::Add(sum, hn::Mul(hn::Set(d, s.rim), power(side, s.rim_exponent)));
+    }
+    return tone_of(s, sum);
+}
+
+void light(const Lighting& lighting, const MarkRange& range, const float* nu, const LightShares& shares, float* tau) {
+    HRBFNPR_ASSERT(range.count >= 0 && range.count <= ProjectedMarks::most);
+    const F d;
+    const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
+    for (std::int64_t at = 0; at < range.count; at += lanes) {
+        const marks::MarkBlock& m = range.blocks[at / marks::MarkBlock::size];
+        const std::int64_t i = at % marks::MarkBlock::size;
+        const W position[3] = {hn::LoadU(d, m.x + i), hn::LoadU(d, m.y + i), hn::LoadU(d, m.z + i)};
+        const W normal[3] = {hn::LoadU(d, m.nx + i), hn::LoadU(d, m.ny + i), hn::LoadU(d, m.nz + i)};
+        const LitVector v = in_light(lighting, position, normal);
+        hn::StoreU(lit(lighting, v, hn::LoadU(d, nu + at), shares, at), d, tau + at);
+    }
+}
+
+void light_rows(const Lighting& lighting, const MarkRows& m, const float* nu, const LightShares& shares, float* tau) {
+    const F d;
+    const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
+    for (std::int64_t at = 0; at < m.count; at += lanes) {
+        const W position[3] = {hn::LoadU(d, m.x + at), hn::LoadU(d, m.y + at), hn::LoadU(d, m.z + at)};
+        const W normal[3] = {hn::LoadU(d, m.nx + at), hn::LoadU(d, m.ny + at), hn::LoadU(d, m.nz + at)};
+        const LitVector v = in_light(lighting, position, normal);
+        hn::StoreU(lit(lighting, v, hn::LoadU(d, nu + at), shares, at), d, tau + at);
+    }
+}
+
+// Projects the vector of marks at `at`. load(0) to load(5) give x, y and z of the position and of the normal.
 template <class Load>
 HWY_INLINE void project_vector(const ViewTransform& s, std::int64_t at, const ProjectedRows& projected,
                                const Load& load) {
@@ -80,20 +196,18 @@ HWY_INLINE void project_vector(const ViewTransform& s, std::int64_t at, const Pr
     if (projected.along != nullptr) hn::StoreU(hn::Mul(hn::Neg(vz), inverse), d, projected.along + at);
     hn::StoreU(depth, d, projected.depth + at);
     hn::StoreU(s.parallel ? depth : length, d, projected.distance + at);
-    hn::StoreU(lit(s.light, load(6), load(7), load(8)), d, projected.lit + at);
 }
 
 void project(const ViewTransform& s, const MarkRange& range, ProjectedMarks& projected) {
     HRBFNPR_ASSERT(range.count >= 0 && range.count <= ProjectedMarks::most);
     const F d;
     const ProjectedRows to = {
-        projected.x,    projected.y,   projected.window, projected.depth,  projected.pixels_per_unit,
-        projected.nu,   projected.lit, projected.side_x, projected.side_y, projected.distance,
-        projected.along};
+        projected.x,  projected.y,      projected.window, projected.depth,    projected.pixels_per_unit,
+        projected.nu, projected.side_x, projected.side_y, projected.distance, projected.along};
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
     for (std::int64_t at = 0; at < range.count; at += lanes) {
         const marks::MarkBlock& m = range.blocks[at / marks::MarkBlock::size];
-        const float* const rows[9] = {m.x, m.y, m.z, m.nx, m.ny, m.nz, m.nx, m.ny, m.nz};
+        const float* const rows[6] = {m.x, m.y, m.z, m.nx, m.ny, m.nz};
         const std::int64_t in_block = at % marks::MarkBlock::size;
         project_vector(s, at, to, [&](int k) HWY_ATTR { return hn::LoadU(d, rows[k] + in_block); });
     }
@@ -103,7 +217,7 @@ void project_rows(const ViewTransform& view_transform, const MarkRows& m, const 
     const F d;
     const ViewTransform s = view_transform; // a copy that no store can change
     const ProjectedRows projected = to;
-    const float* const rows[9] = {m.x, m.y, m.z, m.nx, m.ny, m.nz, m.tone_x, m.tone_y, m.tone_z};
+    const float* const rows[6] = {m.x, m.y, m.z, m.nx, m.ny, m.nz};
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
     for (std::int64_t at = 0; at < m.count; at += lanes)
         project_vector(s, at, projected, [&](int k) HWY_ATTR { return hn::LoadU(d, rows[k] + at); });
@@ -217,7 +331,7 @@ void select(const Selection& j, const MarkRange& range, const ProjectedMarks& pr
 
 } // namespace
 
-ProjectionLoops pick() noexcept { return {project, project_rows, select}; }
+ProjectionLoops pick() noexcept { return {project, project_rows, light, light_rows, select}; }
 
 } // namespace hrbfnpr::frame::HWY_NAMESPACE::projection_loops
 HWY_AFTER_NAMESPACE();

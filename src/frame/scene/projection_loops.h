@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds where marks are on the screen (project, project_rows) and how much of each is drawn (select). There is a
-// version for each instruction set, and all give the same bits.
+// Finds where marks are on the screen (project, project_rows), how light they are (light, light_rows), and how much of
+// each is drawn (select). There is a version for each instruction set, and all give the same bits.
 #pragma once
 
 #include "base/instruction_set.h"
@@ -10,11 +10,38 @@
 
 namespace hrbfnpr::frame {
 
-// How normals in the space of an item are lit. light.h makes tones from the result.
-struct Light {
-    bool rigid;         // If true, `towards` is in the space of the item and `normal` is not used.
-    float normal[3][3]; // transforms normals to the space of the light
-    float towards[3];   // a unit vector towards the light
+// A light in the space of an item's lighting.
+struct Lamp {
+    float place[4]; // a unit vector towards the light and 0, or the place of the light and 1
+    float intensity;
+    float fill;   // the strength of a light from the opposite side
+    float shadow; // the share of its light that a shadow takes away
+};
+
+// How light the marks of an item are: the sum of lamps, ambient light and rim light, changed by a tone law.
+struct Lighting {
+    bool rigid;         // If true, lamps are in the space of the item, and `normal` and `place` are not used.
+    float normal[3][3]; // transforms normals to the space of the lamps
+    float place[3][3];  // the same for positions
+    Lamp lamps[8];
+    std::int32_t count;       // the number of lamps
+    float exponent;           // the exponent of n . l
+    float ambient;            // the mean of the light from the sky and that from the ground
+    float from_sky;           // half the difference between them
+    float up[3];              // a unit vector towards the sky
+    float occlusion;          // the share of the ambient light that is lost where no sky is seen
+    float occlusion_exponent; // the exponent of the share of the sky that is seen
+    float rim, rim_exponent;
+    // The tone is the power `gamma` of (sum - black) * per_range, rounded down to one of `steps` tones. steps = 0: any
+    // tone.
+    float black, per_range, gamma;
+    std::int32_t steps;
+};
+
+// How much light reaches marks past what casts shadows, with an element for each mark. NULL: all.
+struct LightShares {
+    const float* open = nullptr;  // the share of the sky that is seen
+    const float* visible[8] = {}; // the share of each lamp that is seen
 };
 
 // The matrices that take the positions and normals of a set to the picture, as rows.
@@ -23,8 +50,7 @@ struct ViewTransform {
     float eye[3][4];    // to eye space
     bool rigid;         // the matrix `normal` keeps lengths
     float normal[3][3]; // to eye space
-    Light light;
-    float centre[3]; // in eye space: the centre of projection or, if `parallel`, the direction of all lines of sight
+    float centre[3];    // in eye space: the centre of projection or, if `parallel`, the direction of all lines of sight
     bool parallel;
     float pixels; // the number of pixels per eye unit where w is 1
 };
@@ -38,13 +64,12 @@ struct MarkRange {
 // Marks, with an array for each coordinate. A vector may read beyond the last mark.
 struct MarkRows {
     const float *x, *y, *z, *nx, *ny, *nz;
-    const float *tone_x, *tone_y, *tone_z; // the normals for n . l
     std::int64_t count;
 };
 
 // The numbers of ProjectedMarks for any number of marks. `along` may be NULL.
 struct ProjectedRows {
-    float *x, *y, *window, *depth, *pixels_per_unit, *nu, *lit, *side_x, *side_y, *distance, *along;
+    float *x, *y, *window, *depth, *pixels_per_unit, *nu, *side_x, *side_y, *distance, *along;
 };
 
 struct ProjectedMarks {
@@ -54,7 +79,6 @@ struct ProjectedMarks {
     float depth[most];                // eye units along the viewing direction
     float pixels_per_unit[most];      // pixels per eye unit; <= 0 or NaN if the mark is not in front of the camera
     float nu[most];                   // n . v
-    float lit[most];                  // n . l
     float side_x[most], side_y[most]; // x and y of the unit normal in eye space
     float along[most];                // the component, along the viewing direction, of the unit vector v
     // Distance from the centre of projection in eye units; with parallel lines of sight, the depth.
@@ -91,6 +115,12 @@ struct Selected {
 struct ProjectionLoops {
     void (*project)(const ViewTransform& view_transform, const MarkRange& marks, ProjectedMarks& projected);
     void (*project_rows)(const ViewTransform& view_transform, const MarkRows& marks, const ProjectedRows& projected);
+    // Computes tau of marks whose normals for tone are those of `marks`. nu holds n . v of each mark.
+    // The shares begin with that of the first mark. A vector may read beyond the last mark.
+    void (*light)(const Lighting& lighting, const MarkRange& marks, const float* nu, const LightShares& shares,
+                  float* tau);
+    void (*light_rows)(const Lighting& lighting, const MarkRows& marks, const float* nu, const LightShares& shares,
+                       float* tau);
     // tau and tau_depth hold a number for each mark; tau_depth may be NULL, which means 1 for all.
     void (*select)(const Selection& selection, const MarkRange& marks, const ProjectedMarks& projected,
                    const float* tau, const float* tau_depth, Selected& selected);

@@ -10,12 +10,12 @@
 // 6. add_turned_runs: normals and clusters of the other sides
 #include "frame/scene/scene.h"
 
+#include "frame/scene/angles.h"
 #include "frame/scene/still.h"
 #include "geometry/unit.h"
 #include "marks/point_set.h"
 
 #include <glm/gtc/matrix_access.hpp>
-#include <glm/gtc/matrix_inverse.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -35,14 +35,6 @@ constexpr double most_off_unit = 1e-2;
 constexpr double farthest = 1e33; // The largest number in a pose, because marks are stored as floats.
 
 // ---- Items
-
-// Returns the inverse transpose, scaled to the range of floats. Only the directions of its products matter.
-glm::mat3 normal_matrix(const glm::dmat4& m) {
-    const glm::dmat3 inverse = glm::inverseTranspose(glm::dmat3(m));
-    double largest = 0.0;
-    for (int i = 0; i < 9; ++i) largest = std::max(largest, std::abs(inverse[i / 3][i % 3]));
-    return glm::mat3(inverse / largest);
-}
 
 void check_item(std::span<const Item> items, std::int64_t index) {
     const Item& item = items[static_cast<std::size_t>(index)];
@@ -82,7 +74,11 @@ void check_still(const Item& item, const Camera& camera, std::int64_t index) {
 
 // Returns the camera with its eye space in another unit. The unit suits the largest distance of items from the eye.
 // Pixels do not depend on the unit.
-Camera unit_camera(Camera camera, std::span<const Item> items) noexcept {
+struct UnitCamera {
+    Camera camera;
+    double unit = 1.0; // the unit of its eye space, in the caller's
+};
+UnitCamera unit_camera(Camera camera, std::span<const Item> items) noexcept {
     double reach = 0.0;
     for (const Item& item : items) {
         if (item.set->bounds.empty()) continue;
@@ -91,22 +87,24 @@ Camera unit_camera(Camera camera, std::span<const Item> items) noexcept {
         reach = std::max(reach, middle + 0.5 * mean_scale(to_eye) * item.set->bounds.diagonal());
     }
     const double unit = geometry::unit_for(reach);
-    if (unit == 1.0) return camera;
+    if (unit == 1.0) return {camera};
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 3; ++row) camera.view[column][row] /= unit;
     for (int column = 0; column < 3; ++column) camera.projection[column] *= unit;
     double largest = 0.0; // the largest coefficient in the row of w
     for (int column = 0; column < 4; ++column) largest = std::max(largest, std::abs(camera.projection[column][3]));
     camera.projection /= geometry::unit_for(largest);
-    return camera;
+    return {camera, unit};
 }
 
-ItemView view_of(const Item& item, const Camera& camera) {
+ItemView view_of(const Item& item, const UnitCamera& given) {
+    const Camera& camera = given.camera;
     ItemView view;
     view.style = item.style;
     view.both_sides = item.both_sides;
     view.model = item.model;
     view.lines = item.lines;
+    view.shading = item.shading;
     view.origin = item.set->origin;
     view.unit = item.set->unit;
     if (!item.set->bounds.empty()) {
@@ -122,14 +120,7 @@ ItemView view_of(const Item& item, const Camera& camera) {
     view.eye_offset = glm::vec3(glm::dvec3(to_eye[3]));
     view.normal_to_eye = normal_matrix(to_eye);
     view.normal_to_world = normal_matrix(view.to_world);
-    const glm::mat3& to_light =
-        item.style.light_space == LightSpace::camera ? view.normal_to_eye : view.normal_to_world;
-    const double length = glm::length(item.style.light);
-    const glm::vec3 towards = length > 0.0 ? glm::vec3(item.style.light / length) : glm::vec3(0.0F);
-    for (int r = 0; r < 3; ++r) {
-        for (int c = 0; c < 3; ++c) view.light.normal[r][c] = to_light[c][r];
-        view.light.towards[r] = towards[r];
-    }
+    view.lighting = lighting_of(item.style, {view.to_world, to_eye, camera.view, given.unit, view.origin, view.unit});
     return view;
 }
 
@@ -360,7 +351,8 @@ void add_turned_runs(Scene& scene) {
 
 void set_up(Scene& scene, std::span<const Item> items, const Camera& given, drawing::Drawing& drawing) {
     check(given);
-    const Camera camera = unit_camera(given, items);
+    const UnitCamera own = unit_camera(given, items);
+    const Camera& camera = own.camera;
     scene.lens = make_lens(camera);
     scene.camera = camera;
     scene.items.clear();
@@ -373,7 +365,7 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& given, draw
     for (const Item& item : items) {
         check_item(items, number);
         check_still(item, given, number);
-        scene.items.push_back(view_of(item, camera));
+        scene.items.push_back(view_of(item, own));
         const ItemView& view = scene.items.back();
         drawing.items.push_back({item.set, view.unit, view.to_world, view.normal_to_world});
         const std::int64_t first = drawing.runs.size();
@@ -404,8 +396,8 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& given, draw
 SingleView see(const Item& item, const Camera& camera) {
     check(camera);
     check_item({&item, 1}, 0);
-    const Camera own = unit_camera(camera, {&item, 1});
-    return {make_lens(own), view_of(item, own)};
+    const UnitCamera own = unit_camera(camera, {&item, 1});
+    return {make_lens(own.camera), view_of(item, own)};
 }
 
 glm::vec3 Run::posed_tone_normal_of(std::int64_t mark) const noexcept {
@@ -484,36 +476,10 @@ ViewTransform view_transform_of(const ItemView& item, const Lens& lens) noexcept
             if (r < 3) view_transform.eye[r][c] = to_eye[c][r];
         }
     set_rows(view_transform.normal, item.normal_to_eye);
-    view_transform.light = item.light;
     for (int k = 0; k < 3; ++k) view_transform.centre[k] = lens.centre[k];
     view_transform.parallel = lens.centre.w == 0.0F;
     view_transform.pixels = lens.pixels;
     return view_transform;
-}
-
-// The cosine and sine of an angle in [0, pi].
-struct Angle {
-    float cosine, sine;
-};
-
-[[nodiscard]] Angle sum(const Angle& a, const Angle& b) noexcept {
-    const float sine = a.sine * b.cosine + a.cosine * b.sine;
-    if (sine < 0.0F) return {-1.0F, 0.0F}; // The angle is beyond pi.
-    return {a.cosine * b.cosine - a.sine * b.sine, sine};
-}
-
-struct Range {
-    float least, most;
-};
-
-// Returns the range of cosines of all angles that differ by at most `spread` from the angle with the cosine `middle`.
-[[nodiscard]] Range cosines(float middle, const Angle& spread) noexcept {
-    HRBFNPR_ASSERT(spread.sine >= 0.0F && spread.sine <= 1.001F && std::abs(spread.cosine) <= 1.001F);
-    middle = std::clamp(middle, -1.0F, 1.0F);
-    const float sine = std::sqrt(1.0F - middle * middle);
-    const float both = middle * spread.cosine;
-    const float side = sine * spread.sine;
-    return {middle > -spread.cosine ? both - side : -1.0F, middle < spread.cosine ? both + side : 1.0F};
 }
 
 // The position of a ball relative to the picture. The distance of the ball from the picture, outside one of its sides,
@@ -541,6 +507,7 @@ struct FrustumSides {
 
 ItemSight sight_of(const ItemView& item, const Lens& lens, const Frustum& frustum) noexcept {
     ItemSight sight{view_transform_of(item, lens)};
+    sight.lighting = item.lighting;
     const glm::mat3 square = glm::transpose(item.to_eye) * item.to_eye;
     const float mean = (square[0][0] + square[1][1] + square[2][2]) / 3.0F;
     float largest = 0.0F;
@@ -557,16 +524,10 @@ ItemSight sight_of(const ItemView& item, const Lens& lens, const Frustum& frustu
     sight.eye = sight.view_transform.parallel ? glm::vec3(glm::normalize(back * centre))
                                               : glm::vec3(back * (centre - glm::dvec3(item.eye_offset)));
     if (!(off <= scene_tuning.angle_tolerance * mean)) return sight;
-    // The direction of the light is transformed to the space of the normals, so normals keep their lengths.
     set_rows(sight.view_transform.normal,
              item.normal_to_eye / std::cbrt(std::abs(glm::determinant(item.normal_to_eye))));
-    Light& light = sight.view_transform.light;
-    glm::vec3 towards(0.0F);
-    for (int k = 0; k < 3; ++k)
-        for (int r = 0; r < 3; ++r) towards[k] += light.normal[r][k] * light.towards[r];
-    if (glm::length(towards) > 0.0F) sight.light = glm::normalize(towards);
-    for (int k = 0; k < 3; ++k) light.towards[k] = sight.light[k];
-    sight.view_transform.rigid = light.rigid = true;
+    sight.lighting = own_lighting(item.lighting);
+    sight.view_transform.rigid = true;
     return sight;
 }
 
@@ -604,7 +565,6 @@ ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, co
     if (!view_transform.rigid) return view;
     const glm::vec3 axis = vector(extent.cone.axis);
     const Angle cone{extent.cone.cosine, extent.cone.sine};
-    view.lit_min = cosines(glm::dot(axis, sight.light), cone).least;
     Angle spread = cone;
     glm::vec3 sight_line = sight.eye;
     if (!view_transform.parallel) {
@@ -636,9 +596,18 @@ bool faces_away(const marks::Extent& extent, const ItemSight& sight) noexcept {
            least * least > 1.001F * std::max(across, 0.0F) * extent.cone.sine * extent.cone.sine;
 }
 
-float least_lit(const marks::StrokePiece& piece, const ItemSight& sight) noexcept {
-    if (!sight.view_transform.rigid) return -1.0F;
-    return cosines(glm::dot(vector(piece.tone.axis), sight.light), {piece.tone.cosine, piece.tone.sine}).least;
+float least_tau(const marks::Extent& extent, const ItemSight& sight, const SeenShares& seen) noexcept {
+    if (!sight.view_transform.rigid) return 0.0F;
+    return least_light(
+        sight.lighting,
+        {vector(extent.centre), extent.radius, vector(extent.cone.axis), extent.cone.cosine, extent.cone.sine}, seen);
+}
+
+float least_tau_of_piece(const marks::StrokePiece& piece, const ItemSight& sight, const SeenShares& seen) noexcept {
+    if (!sight.view_transform.rigid) return 0.0F;
+    return least_light(
+        sight.lighting,
+        {vector(piece.centre), piece.radius, vector(piece.tone.axis), piece.tone.cosine, piece.tone.sine}, seen);
 }
 
 } // namespace hrbfnpr::frame

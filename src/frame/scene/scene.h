@@ -13,7 +13,9 @@
 #include "features/line_set.h"
 #include "frame/scene/camera.h"
 #include "frame/scene/light.h"
+#include "frame/scene/lighting.h"
 #include "frame/scene/projection_loops.h"
+#include "frame/scene/shading.h"
 #include "frame/scene/style.h"
 #include "frame/scene/tuning.h"
 #include "implicit/implicit.h"
@@ -53,7 +55,8 @@ struct Item {
     glm::dmat4 transform{1.0};
     std::span<const Pose> poses; // The caller owns the poses.
     const curves::LineSet* lines = nullptr;
-    bool both_sides = false; // If true, marks are drawn on the inside of the surface, too.
+    bool both_sides = false;          // If true, marks are drawn on the inside of the surface, too.
+    const Shading* shading = nullptr; // Null: all light reaches the marks.
 };
 
 // ---- Items and runs as seen by the camera
@@ -120,7 +123,8 @@ struct ItemView {
     glm::mat3 to_eye{1.0F};
     glm::vec3 eye_offset{0.0F};
     glm::mat3 normal_to_eye{1.0F}; // an inverse transpose, so that normals point outward even if the transform mirrors
-    Light light{};
+    Lighting lighting{};           // with lamps in the space of the style's first light
+    const Shading* shading = nullptr;
     glm::dmat4 to_world{1.0};
     glm::mat3 normal_to_world{1.0F};
 };
@@ -176,6 +180,8 @@ struct Run {
         if (!has_tone_normals() || is_posed()) return posed_tone_normal_of(mark);
         return (turned ? -1.0F : 1.0F) * marks::vector_at(marks->tone_normal, mark);
     }
+    // Returns what marks see of lights. The marks of the other side are lit as if all light reached them.
+    [[nodiscard]] const Shading* shading_of(const ItemView& of) const noexcept { return turned ? nullptr : of.shading; }
     // Returns the radius of the ink of a front mark, given by its index in the layer.
     [[nodiscard]] float front_ink(std::int64_t mark, float pixels_per_unit) const noexcept {
         const float radius = discs.front_ink(pixels_per_unit);
@@ -266,10 +272,10 @@ private:
 struct ItemSight {
     // `view_transform.rigid` is true if the transform keeps angles. Cones of normals then stay cones.
     ViewTransform view_transform;
-    float scale = 1.0F;    // the largest length, in eye units, that a unit length of the object can have
-    bool inside = false;   // true if the whole item is certainly in the picture
-    glm::vec3 eye{0.0F};   // in object space: the centre of projection, or the unit direction of all lines of sight
-    glm::vec3 light{0.0F}; // unit vector in object space, if the transform is rigid
+    float scale = 1.0F;  // the largest length, in eye units, that a unit length of the object can have
+    bool inside = false; // true if the whole item is certainly in the picture
+    glm::vec3 eye{0.0F}; // in object space: the centre of projection, or the unit direction of all lines of sight
+    Lighting lighting{}; // with lamps in object space, if the transform keeps angles
 };
 
 // The sides of the frustum in eye space. Inside, plane . (eye, 1) >= 0.
@@ -291,8 +297,11 @@ struct ClusterView {
     float nearest = 0.0F;
     float nu_min = -1.0F;
     float nu_max = 1.0F;
-    float lit_min = -1.0F; // A lower bound of n . l, from the normals of the marks. Tone may use other normals.
 };
+
+// Returns a lower bound of the tones by light, from the normals of the marks. Tone may use others. `seen` has the least
+// shares of light that reach the marks.
+[[nodiscard]] float least_tau(const marks::Extent& extent, const ItemSight& sight, const SeenShares& seen) noexcept;
 
 [[nodiscard]] ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, const Lens& lens,
                                        const Frustum& frustum) noexcept;
@@ -300,7 +309,8 @@ struct ClusterView {
 // Returns whether n . v > 0 for all marks. It returns false if the quick test cannot decide.
 [[nodiscard]] bool faces_away(const marks::Extent& extent, const ItemSight& sight) noexcept;
 
-// Returns a lower bound of n . l for the piece's normals for tone.
-[[nodiscard]] float least_lit(const marks::StrokePiece& piece, const ItemSight& sight) noexcept;
+// Returns a lower bound of the tones by light, from the piece's normals for tone.
+[[nodiscard]] float least_tau_of_piece(const marks::StrokePiece& piece, const ItemSight& sight,
+                                       const SeenShares& seen) noexcept;
 
 } // namespace hrbfnpr::frame

@@ -35,6 +35,29 @@ base::Array<double> still_key(base::Memory& memory, const Still& still) {
     add(style.tone_exponent);
     add(style.tone_fade);
     add(style.fill_light);
+    add(style.light_intensity);
+    add(style.light_shadow);
+    add(style.light_softness);
+    for (const LightStyle& light : style.lights) {
+        add(light.kind);
+        add(light.space);
+        for (int i = 0; i < 3; ++i) add(light.place[i]);
+        add(light.intensity);
+        add(light.shadow);
+        add(light.softness);
+    }
+    add(style.lights.size());
+    add(style.ambient_sky);
+    add(style.ambient_ground);
+    for (int i = 0; i < 3; ++i) add(style.ambient_up[i]);
+    add(style.occlusion);
+    add(style.occlusion_exponent);
+    add(style.rim_light);
+    add(style.rim_exponent);
+    add(style.tone_black);
+    add(style.tone_white);
+    add(style.tone_gamma);
+    add(style.tone_steps);
     add(style.zoom_reference);
     add(style.zoom_exponent);
     for (const LayerStyle& layer : style.layers) {
@@ -70,8 +93,8 @@ StillView::StillView(base::Memory& memory, const Still& still, const geometry::B
     sight = sight_of(item, lens, frustum);
 }
 
-ClusterView StillView::view(const glm::dvec3& place, const glm::dvec3& normal, double reach,
-                            bool for_tone) const noexcept {
+marks::Extent StillView::extent(const glm::dvec3& place, const glm::dvec3& normal, double reach,
+                                bool for_tone) const noexcept {
     marks::Extent extent;
     const glm::vec3 centre(place - origin);
     const glm::vec3 axis(normal);
@@ -79,7 +102,12 @@ ClusterView StillView::view(const glm::dvec3& place, const glm::dvec3& normal, d
     extent.centre = {centre.x, centre.y, centre.z};
     const float angle = for_tone ? scene_tuning.still_tone_cone : scene_tuning.still_surface_cone;
     extent.cone = {{axis.x, axis.y, axis.z}, std::cos(angle), std::sin(angle)};
-    return view_cluster(extent, sight, lens, frustum);
+    return extent;
+}
+
+ClusterView StillView::view(const glm::dvec3& place, const glm::dvec3& normal, double reach,
+                            bool for_tone) const noexcept {
+    return view_cluster(extent(place, normal, reach, for_tone), sight, lens, frustum);
 }
 
 // Splats that face away hide other ink only if hidden ink is drawn faintly. Otherwise the surface before them hides
@@ -95,12 +123,13 @@ bool StillNeed::may_show(const glm::dvec3& place, const glm::dvec3& normal, doub
 }
 
 double StillNeed::share(const glm::dvec3& place, const glm::dvec3& normal, double spacing) const noexcept {
-    const ClusterView at = view_.view(place, normal, spacing, true);
+    const marks::Extent extent = view_.extent(place, normal, spacing, true);
+    const ClusterView at = view_cluster(extent, view_.sight, view_.lens, view_.frustum);
     if (at.beyond > scene_tuning.still_margin * view_.lens.diagonal) return 0.0;
     if (!may_face(at, false) && !needs_other_side()) return 0.0;
     const float splats = layer_.may_be_splats ? share_of_splats(at, static_cast<float>(spacing)) : 0.0F;
     const bool has_ink = layer_.style->shown && (may_face(at, false) || view_.item.both_sides);
-    const float ink = has_ink ? share_of_ink(at, static_cast<float>(spacing)) : 0.0F;
+    const float ink = has_ink ? share_of_ink(extent, at, static_cast<float>(spacing)) : 0.0F;
     return static_cast<double>(std::clamp(std::max(splats, ink), 0.0F, 1.0F));
 }
 
@@ -114,11 +143,14 @@ float StillNeed::share_of_splats(const ClusterView& at, float spacing) const noe
 }
 
 // Returns an upper bound for the share of the marks that the tone shows.
-float StillNeed::share_of_ink(const ClusterView& at, float spacing) const noexcept {
+float StillNeed::share_of_ink(const marks::Extent& extent, const ClusterView& at, float spacing) const noexcept {
     const Style& style = view_.item.style;
     if (style.tone == Tone::callback || style.tone_rule == ToneRule::published) return 1.0F;
-    const float lit = view_.item.both_sides && may_face(at, true) ? -1.0F : at.lit_min;
-    const float darkness = 1.0F - (style.tone == Tone::light ? LightTone(style).least(lit) : 0.0F);
+    const bool shows_back = view_.item.both_sides && may_face(at, true);
+    // Occlusion and shadows are not known before there are marks.
+    constexpr SeenShares nothing{0.0F, {}};
+    const float darkness =
+        1.0F - (style.tone == Tone::light && !shows_back ? least_tau(extent, view_.sight, nothing) : 0.0F);
     if (layer_.kind != marks::Kind::stipples)
         return layer_.style->shape == Shape::hatch && darkness < layer_.style->hatch_tone_begin ? 0.0F : 1.0F;
     float shown = darkness;

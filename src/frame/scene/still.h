@@ -27,7 +27,10 @@ struct StillView {
     // about. Throws Error{invalid_argument} if nothing can be drawn with the camera.
     StillView(base::Memory& memory, const Still& still, const geometry::Bounds& bounds, double unit);
 
-    // Returns bounds for a place and the normals around it. `for_tone`: only normals close to the given one.
+    // Returns a ball around a place and a cone of the normals there. `for_tone`: only normals close to the given one.
+    [[nodiscard]] marks::Extent extent(const glm::dvec3& place, const glm::dvec3& normal, double reach,
+                                       bool for_tone) const noexcept;
+    // Returns bounds for a place and the normals around it.
     [[nodiscard]] ClusterView view(const glm::dvec3& place, const glm::dvec3& normal, double reach,
                                    bool for_tone) const noexcept;
 
@@ -61,7 +64,7 @@ public:
 private:
     [[nodiscard]] bool needs_other_side() const noexcept;
     [[nodiscard]] float share_of_splats(const ClusterView& at, float spacing) const noexcept;
-    [[nodiscard]] float share_of_ink(const ClusterView& at, float spacing) const noexcept;
+    [[nodiscard]] float share_of_ink(const marks::Extent& extent, const ClusterView& at, float spacing) const noexcept;
 
     const StillView& view_;
     StillLayer layer_;

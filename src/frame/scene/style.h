@@ -19,7 +19,8 @@ enum class Visibility : std::uint32_t { depth_layers = 0, published = 1 };
 enum class ToneCurve : std::uint32_t { coverage = 0, linear = 1 };
 enum class Tone : std::uint32_t { none = 0, light = 1, callback = 2 };
 enum class ToneRule : std::uint32_t { share = 0, published = 1 };
-enum class LightSpace : std::uint32_t { world = 0, camera = 1 };
+enum class LightSpace : std::uint32_t { world = 0, camera = 1, item = 2 };
+enum class LightKind : std::uint32_t { directional = 0, place = 1 };
 using ToneFn = std::int32_t (*)(void* user, std::int64_t count, const float* positions, const float* normals,
                                 float* tau);
 
@@ -91,6 +92,17 @@ struct LineStyle {
     [[nodiscard]] bool wobbles() const noexcept { return wobble > 0.0F || wobble_width > 0.0F; }
 };
 
+// A light of a style. Every field has the same meaning as in hrbfnpr_light.
+struct LightStyle {
+    LightKind kind = LightKind::directional;
+    LightSpace space = LightSpace::camera;
+    glm::dvec3 place{-0.4, 0.6, 0.7};
+    float intensity = 1.0F;
+    float shadow = 0.0F;
+    float softness = 0.0F;
+};
+inline constexpr std::int64_t most_lights = 8;
+
 struct Style {
     HiddenLines hidden_lines = HiddenLines::attenuate;
     double silhouette_threshold = 0.2;
@@ -108,6 +120,21 @@ struct Style {
     glm::dvec3 light{-0.4, 0.6, 0.7};
     double tone_exponent = 1.0;
     float fill_light = 0.25F;
+    float light_intensity = 1.0F;
+    float light_shadow = 0.0F;
+    float light_softness = 0.0F;
+    std::span<const LightStyle> lights; // The caller owns the list. Empty: one light with the fields above.
+    float ambient_sky = 0.0F;
+    float ambient_ground = 0.0F;
+    glm::dvec3 ambient_up{0.0, 1.0, 0.0};
+    float occlusion = 1.0F;
+    float occlusion_exponent = 1.5F;
+    float rim_light = 0.0F;
+    float rim_exponent = 3.0F;
+    float tone_black = 0.0F;
+    float tone_white = 1.0F;
+    float tone_gamma = 1.0F;
+    std::uint32_t tone_steps = 0;
     ToneFn tone_function = nullptr;
     void* tone_user = nullptr;
     double depth_min = 0.0;
@@ -121,6 +148,11 @@ struct Style {
     std::span<const LayerStyle> layers; // The caller owns both lists.
     std::span<const LineStyle> lines;
 
+    // Returns the light that isophotes and widths of lines use.
+    [[nodiscard]] LightStyle key_light() const noexcept {
+        if (!lights.empty()) return lights.front();
+        return {LightKind::directional, light_space, light, light_intensity, light_shadow, light_softness};
+    }
     // Returns the first style that applies to the layer, or the default style.
     [[nodiscard]] const LayerStyle& of(const marks::Layer& layer) const noexcept {
         static constexpr LayerStyle default_layer{};

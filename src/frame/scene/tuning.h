@@ -33,6 +33,10 @@ struct SceneTuning {
     // tones then still differ. Larger: paler pictures where there are few marks.
     float darkest = 0.6F;
 
+    // How far above the surface the rays of occlusion and shadows begin, in sides of the cells of the meshes that cast
+    // shadows. Larger: no spots where a mesh lies above the surface, but light leaks where surfaces touch.
+    double shading_offset = 0.25;
+
     // The distance between splats in pixels, if a layer has enough marks. The second constant is for splats near the
     // contour. Larger: less time, but small features are missed.
     float splat_spacing = 6.0F;

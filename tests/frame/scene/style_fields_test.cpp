@@ -98,17 +98,20 @@ TEST(StyleFields, AllFieldsOfAnyStyleReachTheFrame) {
     double touched = 0.0;
     given.tone_user = &touched;
     given.tone_function = [](void*, std::int64_t, const float*, const float*, float*) { return std::int32_t{0}; };
-    given.depth_max = 2.0; // beyond depth_min
+    given.depth_max = 2.0;   // beyond depth_min
+    given.tone_white = 1.5F; // above tone_black
+    given.tone_steps = 3;
+    given.light_softness = 0.25F;
     given.layers = &layer;
     given.layer_count = 1;
     given.lines = &line;
     given.line_count = 1;
     base::Memory memory;
-    base::Array<LayerStyle> layers(memory);
-    base::Array<LineStyle> lines(memory);
-    Style style = api::checked_style(given, "style", layers, lines);
-    style.layers = layers.span();
-    style.lines = lines.span();
+    api::StyleLists lists(memory);
+    Style style = api::checked_style(given, "style", lists);
+    style.layers = lists.layers.span();
+    style.lines = lists.lines.span();
+    style.lights = lists.lights.span();
     expect_same_style(style, given, "any");
 }
 

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// How much light reaches the marks of a set past the surfaces that cast shadows. It is computed once, and kept while
+// lights and items stay.
+//
+//   casters_of    meshes in the world → a hierarchy of boxes over their triangles
+//   find_shading  the marks of an item, casters, lights → the shares of the sky and of each light that marks see
+#pragma once
+
+#include "base/list.h"
+#include "base/work.h"
+#include "curves/surface_mesh.h"
+#include "frame/scene/camera.h"
+#include "frame/scene/lighting.h"
+#include "geometry/bvh.h"
+#include "marks/point_set.h"
+
+#include <array>
+#include <span>
+
+namespace hrbfnpr::frame {
+
+struct LayerShading {
+    explicit LayerShading(base::Memory& memory) noexcept
+        : open(memory), visible(memory), open_in_blocks(memory), visible_in_blocks(memory), of_cluster(memory),
+          of_piece(memory) {}
+
+    base::Array<float> open;    // for each mark: the share of the sky; empty: all
+    base::Array<float> visible; // shadow after shadow: for each mark, the share of the light
+    // The same in the order of the blocks of the layer's clusters.
+    base::Array<float> open_in_blocks, visible_in_blocks;
+    base::Array<SeenShares> of_cluster, of_piece; // the least shares of each cluster, and of each piece of a stroke
+};
+
+struct Shading {
+    explicit Shading(base::Memory& memory) noexcept : layers(memory) {}
+
+    base::List<LayerShading> layers; // an element for each layer of the set
+    // For each light of the style: the number of its shadow in `visible`, or -1 if it casts none.
+    std::array<std::int32_t, most_lights> shadow{-1, -1, -1, -1, -1, -1, -1, -1};
+    std::int32_t shadows = 0;
+
+    // Returns the shares of marks, beginning with a place in the order of the blocks.
+    [[nodiscard]] LightShares in_blocks(std::int64_t layer, std::int64_t first_place) const noexcept;
+    [[nodiscard]] SeenShares of_mark(std::int64_t layer, std::int64_t mark) const noexcept;
+    [[nodiscard]] std::int64_t bytes() const noexcept;
+};
+
+// A mesh that casts shadows.
+struct Caster {
+    const curves::SurfaceMesh* mesh;
+    glm::dmat4 to_world;
+};
+
+struct Casters {
+    geometry::Bvh tree; // in world space
+    double cell;        // the longest side of a cell of the meshes, in world units
+    double diagonal;    // the diagonal of the box around the meshes, in world units
+};
+[[nodiscard]] Casters casters_of(const base::Work& work, std::span<const Caster> casters);
+
+struct ShadingSettings {
+    double reach = 0.0; // Parts farther away than this hide no sky, in world units. 0: the whole sky is seen.
+    std::int32_t sky_rays = 64;
+    std::int32_t shadow_rays = 32;
+    const Shading* previous = nullptr; // a shading of the same marks, whose occlusion is taken
+};
+
+struct ShadedItem {
+    const marks::PointSet* set;
+    glm::dmat4 to_world;
+    std::span<const LightStyle> lights;
+    glm::dmat4 view; // from world space to eye space
+};
+[[nodiscard]] Shading find_shading(const base::Work& work, const Casters& casters, const ShadedItem& item,
+                                   const ShadingSettings& settings);
+
+// Marks of a layer by their indices, and their shading, which may be null.
+struct ShadedMarks {
+    const Shading* shading;
+    std::int64_t layer;
+    std::span<const std::uint32_t> marks;
+};
+// Computes tau of marks. `rows` has their places and normals, nu their n . v.
+void light_marks(const ProjectionLoops& loops, const Lighting& lighting, const ShadedMarks& shaded,
+                 const MarkRows& rows, const float* nu, float* tau) noexcept;
+
+} // namespace hrbfnpr::frame
