@@ -68,7 +68,7 @@ namespace hrbfnpr::picture {
     {#field, offsetof(RECORD, field), Scalar::scalar, Meaning::meaning, count, first_choice, choices}
 """
 NAMED = ("style", "layer_style", "line_style", "fit_desc", "mesh_fit_desc", "generate_desc", "layer_desc",
-         "line_set_desc", "line_desc", "page_desc")
+         "line_set_desc", "line_desc", "page_desc", "shading_desc", "light")
 SCALARS = {"float": "float32", "double": "float64", "int32_t": "int32", "uint32_t": "uint32", "int64_t": "int64",
            "uint64_t": "uint64", "const char*": "text"}
 # Constants that need a function or an array in another field.  A text cannot give that.

@@ -2000,11 +2000,36 @@ enum {
     HRBFNPR_TONE_RULE_PUBLISHED = 1
 };
 
-/* The space in which the direction to the light is given. */
+/* The space in which the direction to the light, or its place, is given. */
 enum {
-    HRBFNPR_LIGHT_WORLD = 0, /* world space: the light stays where it is when the camera moves */
-    HRBFNPR_LIGHT_CAMERA = 1 /* eye space: the light moves with the camera */
+    HRBFNPR_LIGHT_WORLD = 0,  /* world space: the light stays where it is when the camera moves */
+    HRBFNPR_LIGHT_CAMERA = 1, /* eye space: the light moves with the camera */
+    HRBFNPR_LIGHT_ITEM = 2    /* object space: the light moves with the item */
 };
+
+/* Where a light comes from. */
+enum {
+    HRBFNPR_LIGHT_KIND_DIRECTIONAL = 0, /* from far away, everywhere from the same direction */
+    HRBFNPR_LIGHT_KIND_PLACE = 1        /* from a place; its strength does not fall with the distance */
+};
+
+/* A light of a style.  It adds intensity * max(0, n . l)^tone_exponent to the light of a mark, where l is the unit
+ * vector to the light. */
+typedef struct hrbfnpr_light {
+    uint32_t struct_size;
+    uint32_t kind;    /* where it comes from, HRBFNPR_LIGHT_KIND_...; default DIRECTIONAL */
+    uint32_t space;   /* space of `place`, HRBFNPR_LIGHT_...; default CAMERA */
+    float intensity;  /* 0 .. 16; default 1 = a surface that faces the light is white */
+    float shadow;     /* share of its light that its cast shadows take away, 0 .. 1; default 0 = it casts none.  It has an
+                         effect on items with a shading */
+    float softness;   /* radius of the light as it is seen from the surface, in radians, 0 .. 0.5; default 0 = shadows
+                         with sharp borders; the sun has 0.0047 */
+    double place[3];  /* DIRECTIONAL: the direction to the light, of any length but 0; PLACE: the place; default (-0.4,
+                         0.6, 0.7) */
+} hrbfnpr_light;
+
+/* Sets struct_size and all defaults. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_light_init(hrbfnpr_light* light, uint32_t struct_size);
 
 /* Computes the tone of many places, by any illumination model.  It fills `tau` (count floats, 1 = light, 0 = dark) from
  * world positions and unit normals (count x 3 floats each).  The normals are TONE_NORMAL if the layer has them.  Values
@@ -2236,8 +2261,38 @@ typedef struct hrbfnpr_style {
 
     float fill_light;   /* strength of a light from the side opposite to `light`, which lets the unlit side keep its
                            form: tau = fill_light * (n . l)^2 where n . l < 0; 0 .. 1; default 0.25.  The lit side stays
-                           as it is.  For TONE_LIGHT with DEPTH_LAYERS and TONE_RULE_SHARE */
+                           as it is.  For TONE_LIGHT with DEPTH_LAYERS and TONE_RULE_SHARE.  With `lights` it comes
+                           from the side opposite to the first one */
     uint32_t reserved2;
+
+    /* Lights, for TONE_LIGHT with DEPTH_LAYERS and TONE_RULE_SHARE.  Their sum is the light s of a mark, and the tone
+     * law makes tau of it: tau = t^tone_gamma, where t = (s - tone_black) / (tone_white - tone_black), clamped to 0 ..
+     * 1. */
+    float light_intensity;       /* as in hrbfnpr_light; default 1 */
+    float light_shadow;          /* as in hrbfnpr_light; default 0 */
+    float light_softness;        /* as in hrbfnpr_light; default 0 */
+    uint32_t reserved3;
+    const hrbfnpr_light* lights; /* a list of up to 8 lights; default NULL = one directional light, with the fields
+                                    `light` and light_, which a list replaces.  The first one is the light of isophotes
+                                    and of lit_factor */
+    int64_t light_count;         /* number of `lights`; default 0 */
+    int64_t light_stride;        /* bytes from one element of `lights` to the next; default 0 = struct_size */
+    double ambient_up[3];        /* direction to the sky, in world space, of any length but 0; default (0, 1, 0) */
+    float ambient_sky;           /* light where the surface faces the sky; 0 .. 16; default 0.  Ambient light is a mean
+                                    of the light from the sky, weighted by (1 + n . up) / 2, and that from the ground */
+    float ambient_ground;        /* light where the surface faces the ground; 0 .. 16; default 0 */
+    float occlusion;             /* share of the ambient light that is lost where no sky is seen, 0 .. 1; default 1.  It
+                                    has an effect on items with a shading */
+    float occlusion_exponent;    /* ambient light is multiplied by the share of the sky that is seen to this power; above
+                                    0, up to 16; default 1.5.  Larger: hollows are darker */
+    float rim_light;             /* adds rim_light * (1 - |n . v|)^rim_exponent, where v points to the eye: contours are
+                                    lighter; 0 .. 16; default 0 */
+    float rim_exponent;          /* above 0, up to 64; default 3.  Larger: the light rim is narrower */
+    float tone_black;            /* light that is drawn as black; -16 .. 16; default 0 */
+    float tone_white;            /* light that is drawn as white; above tone_black, up to 16; default 1 */
+    float tone_gamma;            /* exponent of the tone law; above 0, up to 16; default 1.  Larger: mid-tones are darker */
+    uint32_t tone_steps;         /* number of flat tones, from black to white, 2 .. 6; default 0 = continuous tones.  The
+                                    steps of t have the same size */
 } hrbfnpr_style;
 
 /* Sets struct_size and all defaults. */
@@ -2332,6 +2387,9 @@ enum {
                                 one that faces the camera and one that faces away */
 };
 
+/* How much light reaches the marks of an item past the surfaces of all items; see hrbfnpr_shading_create. */
+typedef struct hrbfnpr_shading hrbfnpr_shading;
+
 /* One thing to draw.  What it points to is read during _draw only, except that the drawing retains the point set. */
 typedef struct hrbfnpr_item {
     uint32_t struct_size;
@@ -2348,10 +2406,64 @@ typedef struct hrbfnpr_item {
     const hrbfnpr_line_set* line_set; /* what the style's lines are drawn from; default NULL = no lines.  All items of a
                                          drawing that have one hide each other's lines; other items hide no lines.  It
                                          must be NULL if there are poses */
+    const hrbfnpr_shading* shading; /* how much light reaches the marks; default NULL = all.  It must be that of
+                                       `point_set`, and NULL if there are poses */
 } hrbfnpr_item;
 
 /* Sets struct_size, NULL pointers and the identity transform. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size);
+
+/* The surfaces that cast shadows and hide the sky.  It does not change, so any threads may use it. */
+typedef struct hrbfnpr_occluders hrbfnpr_occluders;
+
+/* Gathers the surfaces of all items that have a line set, at their transforms: the triangles on which lines are found.
+ * Walls thinner than a cell of the line set may let light through.  The other fields of items are not read.
+ *
+ * Errors: INVALID_ARGUMENT (no item has a line set), OUT_OF_MEMORY, CANCELLED. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_occluders_create(hrbfnpr_context* context, const hrbfnpr_item* items,
+                                                    int64_t item_count, int64_t item_stride,
+                                                    hrbfnpr_operation* operation, hrbfnpr_occluders** out_occluders,
+                                                    hrbfnpr_error* error);
+/* Adds a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_occluders_retain(const hrbfnpr_occluders* occluders);
+/* Releases a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_occluders_release(const hrbfnpr_occluders* occluders);
+
+/* How a shading is computed. */
+typedef struct hrbfnpr_shading_desc {
+    uint32_t struct_size;
+    int32_t sky_rays;       /* number of rays by which a mark sees the sky; 1 .. 4096; default 64.  Larger: less noise */
+    int32_t shadow_rays;    /* number of rays by which a mark in a penumbra sees a light; 1 .. 4096; default 32 */
+    uint32_t reserved;
+    double occlusion_reach; /* distance beyond which nothing hides the sky, in diagonals of the box around all occluders;
+                               0 .. 100; default 0.35; 0 = the whole sky is seen everywhere.  What is nearer hides the
+                               more, the nearer it is: 1 - distance / reach */
+    const hrbfnpr_shading* previous; /* a shading of the same item and the same occluders, but for other lights, whose
+                                        occlusion is taken; default NULL = occlusion is computed.  sky_rays and
+                                        occlusion_reach then have no effect */
+} hrbfnpr_shading_desc;
+
+/* Sets every field to its default. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_shading_desc_init(hrbfnpr_shading_desc* desc, uint32_t struct_size);
+
+/* Computes how much of the sky [Zhukov, Iones & Kronin 1998] and of each light with a shadow the marks of an item see.
+ * The result holds for the item's point set, its transform, the lights of its style, and the occluders.  It stays valid
+ * while these stay, for any camera, except that lights in camera space move with the camera.
+ *
+ * occluders:   the surfaces, in world space
+ * item:        point_set, style and transform are read
+ * camera:      the camera of lights in camera space that cast shadows; may be NULL without such lights
+ * desc:        NULL = all defaults
+ *
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_shading_create(hrbfnpr_context* context, const hrbfnpr_occluders* occluders,
+                                                  const hrbfnpr_item* item, const hrbfnpr_camera* camera,
+                                                  const hrbfnpr_shading_desc* desc, hrbfnpr_operation* operation,
+                                                  hrbfnpr_shading** out_shading, hrbfnpr_error* error);
+/* Adds a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_shading_retain(const hrbfnpr_shading* shading);
+/* Releases a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_shading_release(const hrbfnpr_shading* shading);
 
 /* Draws a list of items for one camera: it classifies, shades and orders their marks, and traces their lines.
  * item_stride is the number of bytes from one item to the next; 0 = struct_size.  All styles must have the same paper
@@ -3398,7 +3510,8 @@ enum {
     HRBFNPR_STAGE_MARKS = 8,   /* places marks */
     HRBFNPR_STAGE_LINES = 9,   /* finds lines */
     HRBFNPR_STAGE_FRAME = 10,  /* draws */
-    HRBFNPR_STAGE_VIEWS = 11   /* draws the views of a sheet */
+    HRBFNPR_STAGE_VIEWS = 11,  /* draws the views of a sheet */
+    HRBFNPR_STAGE_SHADE = 12   /* finds occlusion and cast shadows */
 };
 
 /* How much a note matters. */

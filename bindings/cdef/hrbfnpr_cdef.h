@@ -288,7 +288,11 @@ enum { HRBFNPR_VISIBILITY_DEPTH_LAYERS = 0, HRBFNPR_VISIBILITY_PUBLISHED = 1 };
 enum { HRBFNPR_TONE_CURVE_COVERAGE = 0, HRBFNPR_TONE_CURVE_LINEAR = 1 };
 enum { HRBFNPR_TONE_NONE = 0, HRBFNPR_TONE_LIGHT = 1, HRBFNPR_TONE_CALLBACK = 2 };
 enum { HRBFNPR_TONE_RULE_SHARE = 0, HRBFNPR_TONE_RULE_PUBLISHED = 1 };
-enum { HRBFNPR_LIGHT_WORLD = 0, HRBFNPR_LIGHT_CAMERA = 1 };
+enum { HRBFNPR_LIGHT_WORLD = 0, HRBFNPR_LIGHT_CAMERA = 1, HRBFNPR_LIGHT_ITEM = 2 };
+enum { HRBFNPR_LIGHT_KIND_DIRECTIONAL = 0, HRBFNPR_LIGHT_KIND_PLACE = 1 };
+typedef struct hrbfnpr_light { uint32_t struct_size; uint32_t kind; uint32_t space; float intensity; float shadow;
+    float softness; double place[3]; } hrbfnpr_light;
+hrbfnpr_status hrbfnpr_light_init(hrbfnpr_light* light, uint32_t struct_size);
 typedef int32_t (*hrbfnpr_tone_fn)(void* user, int64_t count, const float* positions, const float* normals, float* tau);
 enum { HRBFNPR_SHAPE_DOTS = 0, HRBFNPR_SHAPE_STROKES = 1, HRBFNPR_SHAPE_HATCH = 2 };
 typedef struct hrbfnpr_layer_style { uint32_t struct_size; uint32_t kind; const char* name; uint32_t shown;
@@ -314,7 +318,11 @@ typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[
     uint32_t visibility; uint32_t hidden_lines; double attenuation_front; double attenuation_back; float splat_radius;
     float splat_overlap; float halo_width; uint32_t reserved; double depth_min; double depth_max; double zoom_reference;
     double zoom_exponent; const hrbfnpr_line_style* lines; int64_t line_count; int64_t line_stride; float fill_light;
-    uint32_t reserved2; } hrbfnpr_style; hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
+    uint32_t reserved2; float light_intensity; float light_shadow; float light_softness; uint32_t reserved3;
+    const hrbfnpr_light* lights; int64_t light_count; int64_t light_stride; double ambient_up[3]; float ambient_sky;
+    float ambient_ground; float occlusion; float occlusion_exponent; float rim_light; float rim_exponent;
+    float tone_black; float tone_white; float tone_gamma; uint32_t tone_steps; } hrbfnpr_style;
+hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
 enum { HRBFNPR_PRESET_STIPPLE = 0, HRBFNPR_PRESET_HATCH = 1, HRBFNPR_PRESET_CROSS_HATCH = 2, HRBFNPR_PRESET_COMBING = 3,
     HRBFNPR_PRESET_SILHOUETTE = 4, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, HRBFNPR_PRESET_XRAY = 6,
     HRBFNPR_PRESET_FULL = 7, HRBFNPR_PRESET_ENGRAVING = 8, HRBFNPR_PRESET_ETCHING = 9, HRBFNPR_PRESET_WOODCUT = 10,
@@ -329,11 +337,24 @@ void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer); void hrbfnpr_renderer_
 typedef struct hrbfnpr_layer_pose { uint32_t struct_size; uint32_t reserved; int64_t layer; hrbfnpr_array position;
     hrbfnpr_array normal; hrbfnpr_array direction; } hrbfnpr_layer_pose;
 hrbfnpr_status hrbfnpr_layer_pose_init(hrbfnpr_layer_pose* pose, uint32_t struct_size);
-enum { HRBFNPR_SIDES_FRONT = 0, HRBFNPR_SIDES_BOTH = 1 };
+enum { HRBFNPR_SIDES_FRONT = 0, HRBFNPR_SIDES_BOTH = 1 }; typedef struct hrbfnpr_shading hrbfnpr_shading;
 typedef struct hrbfnpr_item { uint32_t struct_size; uint32_t sides; const hrbfnpr_point_set* point_set;
     const hrbfnpr_style* style; const hrbfnpr_model* model; double transform[16]; const hrbfnpr_layer_pose* poses;
-    int64_t pose_count; int64_t pose_stride; const hrbfnpr_line_set* line_set; } hrbfnpr_item;
-hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size);
+    int64_t pose_count; int64_t pose_stride; const hrbfnpr_line_set* line_set; const hrbfnpr_shading* shading;
+    } hrbfnpr_item; hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size);
+typedef struct hrbfnpr_occluders hrbfnpr_occluders;
+hrbfnpr_status hrbfnpr_occluders_create(hrbfnpr_context* context, const hrbfnpr_item* items, int64_t item_count,
+    int64_t item_stride, hrbfnpr_operation* operation, hrbfnpr_occluders** out_occluders, hrbfnpr_error* error);
+void hrbfnpr_occluders_retain(const hrbfnpr_occluders* occluders);
+void hrbfnpr_occluders_release(const hrbfnpr_occluders* occluders);
+typedef struct hrbfnpr_shading_desc { uint32_t struct_size; int32_t sky_rays; int32_t shadow_rays; uint32_t reserved;
+    double occlusion_reach; const hrbfnpr_shading* previous; } hrbfnpr_shading_desc;
+hrbfnpr_status hrbfnpr_shading_desc_init(hrbfnpr_shading_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_shading_create(hrbfnpr_context* context, const hrbfnpr_occluders* occluders,
+    const hrbfnpr_item* item, const hrbfnpr_camera* camera, const hrbfnpr_shading_desc* desc,
+    hrbfnpr_operation* operation, hrbfnpr_shading** out_shading, hrbfnpr_error* error);
+void hrbfnpr_shading_retain(const hrbfnpr_shading* shading);
+void hrbfnpr_shading_release(const hrbfnpr_shading* shading);
 hrbfnpr_status hrbfnpr_renderer_draw(hrbfnpr_renderer* renderer, const hrbfnpr_item* items, int64_t item_count,
     int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_drawing** out_drawing, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_renderer_draw_with_operation(hrbfnpr_renderer* renderer, const hrbfnpr_item* items,
@@ -516,8 +537,8 @@ typedef struct hrbfnpr_dab { uint32_t struct_size; uint32_t map; double position
 hrbfnpr_status hrbfnpr_dab_init(hrbfnpr_dab* dab, uint32_t struct_size);
 enum { HRBFNPR_STAGE_MESH = 1, HRBFNPR_STAGE_SAMPLE = 2, HRBFNPR_STAGE_ORIENT = 3, HRBFNPR_STAGE_SMOOTH = 4,
     HRBFNPR_STAGE_FIT = 5, HRBFNPR_STAGE_COMPARE = 6, HRBFNPR_STAGE_END = 7, HRBFNPR_STAGE_MARKS = 8,
-    HRBFNPR_STAGE_LINES = 9, HRBFNPR_STAGE_FRAME = 10, HRBFNPR_STAGE_VIEWS = 11 }; enum { HRBFNPR_SEVERITY_INFO = 0,
-    HRBFNPR_SEVERITY_NOTE = 1, HRBFNPR_SEVERITY_WARNING = 2, HRBFNPR_SEVERITY_FAILURE = 3 };
+    HRBFNPR_STAGE_LINES = 9, HRBFNPR_STAGE_FRAME = 10, HRBFNPR_STAGE_VIEWS = 11, HRBFNPR_STAGE_SHADE = 12 }; enum {
+    HRBFNPR_SEVERITY_INFO = 0, HRBFNPR_SEVERITY_NOTE = 1, HRBFNPR_SEVERITY_WARNING = 2, HRBFNPR_SEVERITY_FAILURE = 3 };
 enum { HRBFNPR_NOTE_FACES_NOT_FINITE = 1, HRBFNPR_NOTE_NO_DATA = 2, HRBFNPR_NOTE_STRAYS = 3,
     HRBFNPR_NOTE_SOME_ORIENTED = 4, HRBFNPR_NOTE_NORMALS_MADE = 5, HRBFNPR_NOTE_NORMALS_NOT_SURE = 6,
     HRBFNPR_NOTE_FRONT_NOT_TOLD = 7, HRBFNPR_NOTE_SAMPLES_CHOSEN = 8, HRBFNPR_NOTE_POINTS_NOT_USABLE = 9,

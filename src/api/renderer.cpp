@@ -9,6 +9,7 @@
 #include "api/lists.h"
 #include "api/model.h"
 #include "api/operation.h"
+#include "api/shading.h"
 #include "api/style.h"
 #include "api/views.h"
 
@@ -46,25 +47,28 @@ public:
 
     void operator()() {
         renderer_.items.clear();
-        renderer_.layer_styles.clear();
-        renderer_.line_styles.clear();
+        renderer_.styles.clear();
         renderer_.poses.clear();
         for (std::int64_t i = 0; i < items_.count(); ++i) read(items_[i], items_.name(i).text);
         // From here on, the arrays do not move, so spans of them stay valid.
         std::size_t style = 0;
         std::size_t line = 0;
+        std::size_t light = 0;
         std::size_t pose = 0;
         for (std::int64_t i = 0; i < items_.count(); ++i) {
             const hrbfnpr_item given = items_[i];
             frame::Item& item = renderer_.items[i];
             const hrbfnpr_style its = given.style == nullptr ? hrbfnpr_style{} : read_struct(given.style, "style");
             item.style.layers =
-                std::as_const(renderer_.layer_styles).span().subspan(style, static_cast<std::size_t>(its.layer_count));
+                std::as_const(renderer_.styles.layers).span().subspan(style, static_cast<std::size_t>(its.layer_count));
             item.style.lines =
-                std::as_const(renderer_.line_styles).span().subspan(line, static_cast<std::size_t>(its.line_count));
+                std::as_const(renderer_.styles.lines).span().subspan(line, static_cast<std::size_t>(its.line_count));
             item.poses =
                 std::as_const(renderer_.poses).span().subspan(pose, static_cast<std::size_t>(given.pose_count));
+            item.style.lights =
+                std::as_const(renderer_.styles.lights).span().subspan(light, static_cast<std::size_t>(its.light_count));
             style += item.style.layers.size();
+            light += item.style.lights.size();
             line += item.style.lines.size();
             pose += item.poses.size();
         }
@@ -84,19 +88,22 @@ private:
                  "%s.line_set is given together with poses; leave one out, because a line set does not move with the "
                  "poses",
                  name);
+        if (given.shading != nullptr && &given.shading->set != given.point_set)
+            fail(Status::invalid_argument, "%s.shading was made for another point set", name);
+        if (given.shading != nullptr && given.pose_count > 0)
+            fail(Status::invalid_argument, "%s.shading is given together with poses; leave one out", name);
         frame::Item item;
+        item.shading = given.shading != nullptr ? &given.shading->shading : nullptr;
         item.set = &given.point_set->set;
         item.both_sides = given.sides == HRBFNPR_SIDES_BOTH;
         item.model = given.model != nullptr ? &given.model->implicit() : nullptr;
-        const auto first_line = static_cast<std::size_t>(renderer_.line_styles.size());
+        const auto first_line = static_cast<std::size_t>(renderer_.styles.lines.size());
         item.lines = given.line_set != nullptr ? &given.line_set->lines : nullptr;
         item.transform = to_matrix(given.transform);
         char part[128];
         std::snprintf(part, sizeof part, "%.60s.style", name);
-        if (given.style != nullptr)
-            item.style =
-                checked_style(read_struct(given.style, part), part, renderer_.layer_styles, renderer_.line_styles);
-        check_curvature(given, renderer_.line_styles.span().subspan(first_line), part);
+        if (given.style != nullptr) item.style = checked_style(read_struct(given.style, part), part, renderer_.styles);
+        check_curvature(given, renderer_.styles.lines.span().subspan(first_line), part);
         std::snprintf(part, sizeof part, "%.60s.poses", name);
         read_poses(given, part);
         renderer_.items.push_back(item);
@@ -172,8 +179,7 @@ void fill(hrbfnpr_renderer& renderer, const Items& items, const frame::Camera& c
         set->add_reference();
     }
     renderer.frame.draw(renderer.items.span(), camera, progress, drawing.drawing);
-    drawing.drawing.counts.scratch_bytes +=
-        renderer.items.bytes() + renderer.layer_styles.bytes() + renderer.line_styles.bytes() + renderer.poses.bytes();
+    drawing.drawing.counts.scratch_bytes += renderer.items.bytes() + renderer.styles.bytes() + renderer.poses.bytes();
 }
 
 hrbfnpr_drawing* draw(hrbfnpr_renderer& renderer, const Items& items, const hrbfnpr_camera* camera,

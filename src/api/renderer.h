@@ -4,12 +4,13 @@
 
 #include "api/drawing.h"
 #include "api/handles.h"
+#include "api/style.h"
 #include "frame/frame.h"
 
 struct hrbfnpr_renderer : hrbfnpr::api::Child {
     explicit hrbfnpr_renderer(hrbfnpr_context& context)
-        : Child(context), frame(context.runtime), items(context.runtime.memory), layer_styles(context.runtime.memory),
-          line_styles(context.runtime.memory), poses(context.runtime.memory), drawings(context.runtime.memory) {}
+        : Child(context), frame(context.runtime), items(context.runtime.memory), styles(context.runtime.memory),
+          poses(context.runtime.memory), drawings(context.runtime.memory) {}
     ~hrbfnpr_renderer() {
         for (const hrbfnpr_drawing* drawing : drawings) hrbfnpr::api::release_handle(drawing);
     }
@@ -17,8 +18,7 @@ struct hrbfnpr_renderer : hrbfnpr::api::Child {
     hrbfnpr::frame::Frame frame;
     // The items, styles and other inputs of the drawing that is being made.
     hrbfnpr::base::Array<hrbfnpr::frame::Item> items;
-    hrbfnpr::base::Array<hrbfnpr::frame::LayerStyle> layer_styles;
-    hrbfnpr::base::Array<hrbfnpr::frame::LineStyle> line_styles;
+    hrbfnpr::api::StyleLists styles;
     hrbfnpr::base::Array<hrbfnpr::frame::Pose> poses;
     hrbfnpr::base::Array<hrbfnpr_drawing*> drawings; // The renderer holds a reference to each drawing.
 };

@@ -12,20 +12,19 @@ namespace hrbfnpr::api {
 
 // Throws Error{invalid_argument} if the drawing cannot be made.
 struct CheckedStill {
-    CheckedStill(base::Memory& memory, const hrbfnpr_item& item, const hrbfnpr_camera& camera)
-        : layers(memory), lines(memory) {
+    CheckedStill(base::Memory& memory, const hrbfnpr_item& item, const hrbfnpr_camera& camera) : lists(memory) {
         const Checks checks("item");
         checks.one_of("sides", item.sides, HRBFNPR_SIDES_BOTH + 1, "HRBFNPR_SIDES_*");
         still.camera = to_camera(camera);
-        still.style = checked_style(read_optional_struct(item.style, "item.style"), "item.style", layers, lines);
-        still.style.layers = std::as_const(layers).span();
+        still.style = checked_style(read_optional_struct(item.style, "item.style"), "item.style", lists);
+        still.style.layers = std::as_const(lists.layers).span();
+        still.style.lights = std::as_const(lists.lights).span();
         still.both_sides = item.sides == HRBFNPR_SIDES_BOTH;
         still.transform = to_matrix(item.transform);
     }
 
-    base::Array<frame::LayerStyle> layers;
-    base::Array<frame::LineStyle> lines;
-    frame::Still still; // Its style refers to `layers`.
+    StyleLists lists;
+    frame::Still still; // Its style refers to `lists`.
 };
 
 } // namespace hrbfnpr::api

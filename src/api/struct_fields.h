@@ -239,6 +239,11 @@ inline constexpr FieldLayout fields_of_hrbfnpr_camera[] = {
     FIELD(struct_size, "uint32_t"), FIELD(depth_convention, "uint32_t"), FIELD(view, "double[16]"),
     FIELD(projection, "double[16]"), FIELD(viewport, "double[4]")};
 #undef RECORD
+#define RECORD hrbfnpr_light
+inline constexpr FieldLayout fields_of_hrbfnpr_light[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(space, "uint32_t"), FIELD(intensity, "float"),
+    FIELD(shadow, "float"), FIELD(softness, "float"), FIELD(place, "double[3]")};
+#undef RECORD
 #define RECORD hrbfnpr_layer_style
 inline constexpr FieldLayout fields_of_hrbfnpr_layer_style[] = {
     FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(name, "const char*"), FIELD(shown, "uint32_t"),
@@ -274,7 +279,12 @@ inline constexpr FieldLayout fields_of_hrbfnpr_style[] = {
     FIELD(halo_width, "float"), FIELD(reserved, "uint32_t"), FIELD(depth_min, "double"), FIELD(depth_max, "double"),
     FIELD(zoom_reference, "double"), FIELD(zoom_exponent, "double"), FIELD(lines, "const hrbfnpr_line_style*"),
     FIELD(line_count, "int64_t"), FIELD(line_stride, "int64_t"), FIELD(fill_light, "float"),
-    FIELD(reserved2, "uint32_t")};
+    FIELD(reserved2, "uint32_t"), FIELD(light_intensity, "float"), FIELD(light_shadow, "float"),
+    FIELD(light_softness, "float"), FIELD(reserved3, "uint32_t"), FIELD(lights, "const hrbfnpr_light*"),
+    FIELD(light_count, "int64_t"), FIELD(light_stride, "int64_t"), FIELD(ambient_up, "double[3]"),
+    FIELD(ambient_sky, "float"), FIELD(ambient_ground, "float"), FIELD(occlusion, "float"),
+    FIELD(occlusion_exponent, "float"), FIELD(rim_light, "float"), FIELD(rim_exponent, "float"),
+    FIELD(tone_black, "float"), FIELD(tone_white, "float"), FIELD(tone_gamma, "float"), FIELD(tone_steps, "uint32_t")};
 #undef RECORD
 #define RECORD hrbfnpr_layer_pose
 inline constexpr FieldLayout fields_of_hrbfnpr_layer_pose[] = {
@@ -286,7 +296,12 @@ inline constexpr FieldLayout fields_of_hrbfnpr_item[] = {
     FIELD(struct_size, "uint32_t"), FIELD(sides, "uint32_t"), FIELD(point_set, "const hrbfnpr_point_set*"),
     FIELD(style, "const hrbfnpr_style*"), FIELD(model, "const hrbfnpr_model*"), FIELD(transform, "double[16]"),
     FIELD(poses, "const hrbfnpr_layer_pose*"), FIELD(pose_count, "int64_t"), FIELD(pose_stride, "int64_t"),
-    FIELD(line_set, "const hrbfnpr_line_set*")};
+    FIELD(line_set, "const hrbfnpr_line_set*"), FIELD(shading, "const hrbfnpr_shading*")};
+#undef RECORD
+#define RECORD hrbfnpr_shading_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_shading_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(sky_rays, "int32_t"), FIELD(shadow_rays, "int32_t"),
+    FIELD(reserved, "uint32_t"), FIELD(occlusion_reach, "double"), FIELD(previous, "const hrbfnpr_shading*")};
 #undef RECORD
 #define RECORD hrbfnpr_drawing_info
 inline constexpr FieldLayout fields_of_hrbfnpr_drawing_info[] = {
@@ -542,14 +557,15 @@ inline constexpr FieldLayout fields_of_hrbfnpr_views_info[] = {
     X(hrbfnpr_trim_desc) X(hrbfnpr_trim_info) X(hrbfnpr_csg_node) X(hrbfnpr_csg_desc) X(hrbfnpr_csg_info) \
     X(hrbfnpr_layer_desc) X(hrbfnpr_generate_desc) X(hrbfnpr_layer_arrays) X(hrbfnpr_point_set_desc) \
     X(hrbfnpr_point_set_info) X(hrbfnpr_layer_info) X(hrbfnpr_placement_info) X(hrbfnpr_line_desc) \
-    X(hrbfnpr_line_set_desc) X(hrbfnpr_line_set_info) X(hrbfnpr_camera) X(hrbfnpr_layer_style) X(hrbfnpr_line_style) \
-    X(hrbfnpr_style) X(hrbfnpr_layer_pose) X(hrbfnpr_item) X(hrbfnpr_drawing_info) X(hrbfnpr_drawing_layer_info) \
-    X(hrbfnpr_raster_desc) X(hrbfnpr_vertex_attribute) X(hrbfnpr_vertex_layout) X(hrbfnpr_mark_results) \
-    X(hrbfnpr_mark_identity) X(hrbfnpr_mesh_desc) X(hrbfnpr_mesh_info) X(hrbfnpr_sample_desc) \
-    X(hrbfnpr_mesh_edges_desc) X(hrbfnpr_mesh_edges_info) X(hrbfnpr_compare_desc) X(hrbfnpr_comparison) \
-    X(hrbfnpr_mesh_fit_desc) X(hrbfnpr_mesh_fit_info) X(hrbfnpr_page_item) X(hrbfnpr_pen) X(hrbfnpr_annotation) \
-    X(hrbfnpr_page_desc) X(hrbfnpr_page_info) X(hrbfnpr_picture_source) X(hrbfnpr_change) X(hrbfnpr_dab) \
-    X(hrbfnpr_note) X(hrbfnpr_picture_event) X(hrbfnpr_picture_desc) X(hrbfnpr_source_info) X(hrbfnpr_picture_info) \
-    X(hrbfnpr_picture_part) X(hrbfnpr_picture_page_desc) X(hrbfnpr_views_desc) X(hrbfnpr_views_info)
+    X(hrbfnpr_line_set_desc) X(hrbfnpr_line_set_info) X(hrbfnpr_camera) X(hrbfnpr_light) X(hrbfnpr_layer_style) \
+    X(hrbfnpr_line_style) X(hrbfnpr_style) X(hrbfnpr_layer_pose) X(hrbfnpr_item) X(hrbfnpr_shading_desc) \
+    X(hrbfnpr_drawing_info) X(hrbfnpr_drawing_layer_info) X(hrbfnpr_raster_desc) X(hrbfnpr_vertex_attribute) \
+    X(hrbfnpr_vertex_layout) X(hrbfnpr_mark_results) X(hrbfnpr_mark_identity) X(hrbfnpr_mesh_desc) \
+    X(hrbfnpr_mesh_info) X(hrbfnpr_sample_desc) X(hrbfnpr_mesh_edges_desc) X(hrbfnpr_mesh_edges_info) \
+    X(hrbfnpr_compare_desc) X(hrbfnpr_comparison) X(hrbfnpr_mesh_fit_desc) X(hrbfnpr_mesh_fit_info) \
+    X(hrbfnpr_page_item) X(hrbfnpr_pen) X(hrbfnpr_annotation) X(hrbfnpr_page_desc) X(hrbfnpr_page_info) \
+    X(hrbfnpr_picture_source) X(hrbfnpr_change) X(hrbfnpr_dab) X(hrbfnpr_note) X(hrbfnpr_picture_event) \
+    X(hrbfnpr_picture_desc) X(hrbfnpr_source_info) X(hrbfnpr_picture_info) X(hrbfnpr_picture_part) \
+    X(hrbfnpr_picture_page_desc) X(hrbfnpr_views_desc) X(hrbfnpr_views_info)
 
 } // namespace hrbfnpr::api

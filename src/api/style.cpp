@@ -20,10 +20,19 @@ using LineStyle = hrbfnpr_line_style;
 
 constexpr std::int64_t most_layer_styles = 65536;
 
+[[nodiscard]] bool is_zero(const double (&v)[3]) noexcept { return v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0; }
+
 void check_between_fields(const Style& style, const char* owner) {
-    if (style.tone == HRBFNPR_TONE_LIGHT && style.light[0] == 0.0 && style.light[1] == 0.0 && style.light[2] == 0.0)
+    if (style.tone == HRBFNPR_TONE_LIGHT && style.light_count == 0 && is_zero(style.light))
         fail(Status::invalid_argument, "%s.light is zero; give it a direction, or set tone to HRBFNPR_TONE_NONE",
              owner);
+    if (is_zero(style.ambient_up))
+        fail(Status::invalid_argument, "%s.ambient_up is zero; give it the direction to the sky", owner);
+    if (!(style.tone_black < style.tone_white))
+        fail(Status::invalid_argument, "%s.tone_black is %g and tone_white is %g; tone_white must be greater", owner,
+             static_cast<double>(style.tone_black), static_cast<double>(style.tone_white));
+    if (style.tone_steps == 1)
+        fail(Status::invalid_argument, "%s.tone_steps is 1; it must be 0 for continuous tones, or 2 to 6", owner);
     Checks(owner).not_null("tone_function", style.tone != HRBFNPR_TONE_CALLBACK || style.tone_function != nullptr);
     const bool off = style.depth_min == 0.0 && style.depth_max == 0.0;
     if (!off && !(style.depth_min > 0.0 && style.depth_min < style.depth_max))
@@ -53,6 +62,27 @@ void add_layers(const Style& style, const char* owner, base::Array<frame::LayerS
     }
 }
 
+void add_lights(const Style& style, const char* owner, base::Array<frame::LightStyle>& lights) {
+    char name[80];
+    std::snprintf(name, sizeof name, "%.60s.lights", owner);
+    const List<hrbfnpr_light> list(style.lights, style.light_count, style.light_stride, frame::most_lights, name);
+    for (std::int64_t i = 0; i < list.count(); ++i) {
+        const hrbfnpr_light given = list[i];
+        light_fields().check(list.name(i).text, given);
+        if (given.kind == HRBFNPR_LIGHT_KIND_DIRECTIONAL && is_zero(given.place))
+            fail(Status::invalid_argument, "%s.place is zero; give it the direction to the light", list.name(i).text);
+        frame::LightStyle light;
+        light_fields().copy(given, light);
+        lights.push_back(light);
+    }
+}
+
+// Tells whether the style's first light has no direction.
+[[nodiscard]] bool has_no_direction(const Style& style, const base::Array<frame::LightStyle>& lights) noexcept {
+    return style.light_count > 0 ? lights[lights.size() - style.light_count].kind == frame::LightKind::place
+                                 : is_zero(style.light);
+}
+
 // Returns a view of the caller's levels of isophotes; it is empty for other kinds of lines. The levels must be packed,
 // and must stay valid until the call ends.
 std::span<const double> levels_of(const LineStyle& style, const char* owner) {
@@ -72,7 +102,8 @@ std::span<const double> levels_of(const LineStyle& style, const char* owner) {
     return {reinterpret_cast<const double*>(view.data), static_cast<std::size_t>(view.count)};
 }
 
-void add_lines(const Style& style, const char* owner, base::Array<frame::LineStyle>& lines) {
+void add_lines(const Style& style, const char* owner, const base::Array<frame::LightStyle>& lights,
+               base::Array<frame::LineStyle>& lines) {
     char name[80];
     std::snprintf(name, sizeof name, "%.60s.lines", owner);
     const List<LineStyle> list(style.lines, style.line_count, style.line_stride, most_layer_styles, name);
@@ -81,7 +112,10 @@ void add_lines(const Style& style, const char* owner, base::Array<frame::LineSty
         line_style_fields().check(list.name(i).text, given);
         if (given.kind == 0)
             fail(Status::invalid_argument, "%s.kind is 0; it must be one of HRBFNPR_LINE_KIND_*", list.name(i).text);
-        if (given.lit_factor != 1.0F && style.light[0] == 0.0 && style.light[1] == 0.0 && style.light[2] == 0.0)
+        if (given.kind == HRBFNPR_LINE_KIND_ISOPHOTE && style.light_count > 0 && has_no_direction(style, lights))
+            fail(Status::invalid_argument,
+                 "%s.lights[0].kind is HRBFNPR_LIGHT_KIND_PLACE; isophotes need a first light with a direction", owner);
+        if (given.lit_factor != 1.0F && style.light_count == 0 && is_zero(style.light))
             fail(Status::invalid_argument, "%s.light is zero; give it a direction, or set %s.lit_factor to 1", owner,
                  list.name(i).text);
         frame::LineStyle line;
@@ -104,16 +138,21 @@ hrbfnpr_layer_style defaults() noexcept {
 }
 
 template <>
+hrbfnpr_light defaults() noexcept {
+    return default_light();
+}
+
+template <>
 hrbfnpr_line_style defaults() noexcept {
     return default_line_style();
 }
 
-frame::Style checked_style(const hrbfnpr_style& style, const char* owner, base::Array<frame::LayerStyle>& layers,
-                           base::Array<frame::LineStyle>& lines) {
+frame::Style checked_style(const hrbfnpr_style& style, const char* owner, StyleLists& lists) {
     style_fields().check(owner, style);
     check_between_fields(style, owner);
-    add_layers(style, owner, layers);
-    add_lines(style, owner, lines);
+    add_layers(style, owner, lists.layers);
+    add_lights(style, owner, lists.lights);
+    add_lines(style, owner, lists.lights, lists.lines);
     frame::Style to;
     style_fields().copy(style, to);
     return to;
@@ -129,6 +168,10 @@ hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size) {
 
 hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size) {
     return api::init_struct(style, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_light_init(hrbfnpr_light* light, uint32_t struct_size) {
+    return api::init_struct(light, struct_size);
 }
 
 hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size) {

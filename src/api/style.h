@@ -10,9 +10,24 @@
 
 namespace hrbfnpr::api {
 
-// Checks every field; `owner` names the struct in messages, such as "items[2].style".  Appends the style's layers and
-// lines to the arrays. The returned style has empty spans, because the arrays may still move.
-[[nodiscard]] frame::Style checked_style(const hrbfnpr_style& style, const char* owner,
-                                         base::Array<frame::LayerStyle>& layers, base::Array<frame::LineStyle>& lines);
+// The lists of styles, one after the other.
+struct StyleLists {
+    explicit StyleLists(base::Memory& memory) noexcept : layers(memory), lines(memory), lights(memory) {}
+
+    void clear() noexcept {
+        layers.clear();
+        lines.clear();
+        lights.clear();
+    }
+    [[nodiscard]] std::int64_t bytes() const noexcept { return layers.bytes() + lines.bytes() + lights.bytes(); }
+
+    base::Array<frame::LayerStyle> layers;
+    base::Array<frame::LineStyle> lines;
+    base::Array<frame::LightStyle> lights;
+};
+
+// Checks every field; `owner` names the struct in messages, such as "items[2].style".  Appends the style's lists. The
+// returned style has empty spans, because the lists may still move.
+[[nodiscard]] frame::Style checked_style(const hrbfnpr_style& style, const char* owner, StyleLists& lists);
 
 } // namespace hrbfnpr::api

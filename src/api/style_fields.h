@@ -24,6 +24,9 @@ static_assert(static_cast<int>(frame::ToneRule::share) == HRBFNPR_TONE_RULE_SHAR
 static_assert(static_cast<int>(frame::ToneRule::published) == HRBFNPR_TONE_RULE_PUBLISHED);
 static_assert(static_cast<int>(frame::LightSpace::world) == HRBFNPR_LIGHT_WORLD);
 static_assert(static_cast<int>(frame::LightSpace::camera) == HRBFNPR_LIGHT_CAMERA);
+static_assert(static_cast<int>(frame::LightSpace::item) == HRBFNPR_LIGHT_ITEM);
+static_assert(static_cast<int>(frame::LightKind::directional) == HRBFNPR_LIGHT_KIND_DIRECTIONAL);
+static_assert(static_cast<int>(frame::LightKind::place) == HRBFNPR_LIGHT_KIND_PLACE);
 static_assert(static_cast<int>(frame::Shape::dots) == HRBFNPR_SHAPE_DOTS);
 static_assert(static_cast<int>(frame::Shape::strokes) == HRBFNPR_SHAPE_STROKES);
 static_assert(static_cast<int>(frame::Shape::hatch) == HRBFNPR_SHAPE_HATCH);
@@ -35,7 +38,8 @@ inline constexpr rule::Between pixels{0.0, largest_radius};
 inline constexpr rule::PositiveUpTo radius{largest_radius};
 inline constexpr rule::Between share{0.0, 1.0};
 inline constexpr rule::PositiveUpTo some{1.0};
-inline constexpr rule::Between factor{0.0, 16.0}; // The range of factors for the width of a line or pen.
+inline constexpr rule::Between factor{0.0, 16.0};   // The range of factors for the width of a line or pen.
+inline constexpr rule::Between strength{0.0, 16.0}; // The range of lights.
 inline constexpr auto ink = rule::IndexedNumbers{share};
 
 } // namespace style_rule
@@ -91,8 +95,7 @@ static_assert(layer_style_fields().covers<hrbfnpr_layer_style>());
         field("tone_exponent", &Given::tone_exponent, &To::tone_exponent, rule::Positive{}),
         field("tone_function", &Given::tone_function, &To::tone_function, rule::Any{}),
         field("tone_user", &Given::tone_user, &To::tone_user, rule::Any{}),
-        field("light_space", &Given::light_space, &To::light_space,
-              rule::OneOf{HRBFNPR_LIGHT_CAMERA, "HRBFNPR_LIGHT_*"}),
+        field("light_space", &Given::light_space, &To::light_space, rule::OneOf{HRBFNPR_LIGHT_ITEM, "HRBFNPR_LIGHT_*"}),
         field("tone_fade", &Given::tone_fade, &To::tone_fade, share),
         field("silhouette_threshold", &Given::silhouette_threshold, &To::silhouette_threshold,
               rule::StrictlyBetween{0.0, 1.0}),
@@ -117,7 +120,25 @@ static_assert(layer_style_fields().covers<hrbfnpr_layer_style>());
         field("line_count", &Given::line_count, rule::Any{}),
         field("line_stride", &Given::line_stride, rule::Any{}),
         field("fill_light", &Given::fill_light, &To::fill_light, share),
-        reserved("reserved2", &Given::reserved2)};
+        reserved("reserved2", &Given::reserved2),
+        field("light_intensity", &Given::light_intensity, &To::light_intensity, strength),
+        field("light_shadow", &Given::light_shadow, &To::light_shadow, share),
+        field("light_softness", &Given::light_softness, &To::light_softness, rule::Between{0.0, 0.5}),
+        reserved("reserved3", &Given::reserved3),
+        field("lights", &Given::lights, rule::Any{}),
+        field("light_count", &Given::light_count, rule::Any{}),
+        field("light_stride", &Given::light_stride, rule::Any{}),
+        field("ambient_up", &Given::ambient_up, &To::ambient_up, rule::AllNumbers{rule::Finite{}}),
+        field("ambient_sky", &Given::ambient_sky, &To::ambient_sky, strength),
+        field("ambient_ground", &Given::ambient_ground, &To::ambient_ground, strength),
+        field("occlusion", &Given::occlusion, &To::occlusion, share),
+        field("occlusion_exponent", &Given::occlusion_exponent, &To::occlusion_exponent, rule::PositiveUpTo{16.0}),
+        field("rim_light", &Given::rim_light, &To::rim_light, strength),
+        field("rim_exponent", &Given::rim_exponent, &To::rim_exponent, rule::PositiveUpTo{64.0}),
+        field("tone_black", &Given::tone_black, &To::tone_black, rule::Between{-16.0, 16.0}),
+        field("tone_white", &Given::tone_white, &To::tone_white, rule::Between{-16.0, 16.0}),
+        field("tone_gamma", &Given::tone_gamma, &To::tone_gamma, rule::PositiveUpTo{16.0}),
+        field("tone_steps", &Given::tone_steps, &To::tone_steps, rule::Between{0.0, 6.0})};
 }
 static_assert(style_fields().covers<hrbfnpr_style>());
 
@@ -155,6 +176,19 @@ static_assert(style_fields().covers<hrbfnpr_style>());
 }
 static_assert(line_style_fields().covers<hrbfnpr_line_style>());
 
+[[nodiscard]] constexpr auto light_fields() noexcept {
+    using Given = hrbfnpr_light;
+    using To = frame::LightStyle;
+    return FieldTable{
+        field("kind", &Given::kind, &To::kind, rule::OneOf{HRBFNPR_LIGHT_KIND_PLACE, "HRBFNPR_LIGHT_KIND_*"}),
+        field("space", &Given::space, &To::space, rule::OneOf{HRBFNPR_LIGHT_ITEM, "HRBFNPR_LIGHT_*"}),
+        field("intensity", &Given::intensity, &To::intensity, style_rule::strength),
+        field("shadow", &Given::shadow, &To::shadow, style_rule::share),
+        field("softness", &Given::softness, &To::softness, rule::Between{0.0, 0.5}),
+        field("place", &Given::place, &To::place, rule::AllNumbers{rule::Finite{}})};
+}
+static_assert(light_fields().covers<hrbfnpr_light>());
+
 // ---- Defaults, as constants
 
 template <class Given, class Settings, class Table>
@@ -173,6 +207,9 @@ template <class Given, class Settings, class Table>
 }
 [[nodiscard]] constexpr hrbfnpr_line_style default_line_style() noexcept {
     return defaults_of<hrbfnpr_line_style, frame::LineStyle>(line_style_fields());
+}
+[[nodiscard]] constexpr hrbfnpr_light default_light() noexcept {
+    return defaults_of<hrbfnpr_light, frame::LightStyle>(light_fields());
 }
 
 } // namespace hrbfnpr::api

@@ -63,6 +63,7 @@ private:
     Outcome create_line_set();
     Outcome draw();
     Outcome draw_posed();
+    Outcome shade();
     Outcome rasterize();
     Outcome write_vertices();
     Outcome mark_results();
@@ -108,6 +109,7 @@ private:
     hrbfnpr::test::Model model_;
     hrbfnpr::test::PointSet set_;
     hrbfnpr::test::LineSet lines_;
+    hrbfnpr::test::Shading shading_;
     hrbfnpr::test::Mesh mesh_;
     hrbfnpr::test::Renderer renderer_;
     hrbfnpr::test::Drawing drawing_;
@@ -137,10 +139,13 @@ private:
     hrbfnpr_camera camera_{};
     hrbfnpr_layer_style layer_style_{};
     hrbfnpr_line_style line_style_[2]{};
+    hrbfnpr_light light_[2]{};
     hrbfnpr_style style_{};
     hrbfnpr_layer_pose pose_{};
     hrbfnpr_item item_{};
     hrbfnpr_item posed_item_{};
+    hrbfnpr_item shaded_item_{};
+    hrbfnpr_shading_desc shading_desc_{};
     hrbfnpr_image image_{};
     hrbfnpr_raster_desc raster_desc_{};
     hrbfnpr_vertex_attribute vertex_attribute_{};

@@ -138,6 +138,22 @@ Outcome Scene::draw() { return picture_of(renderer_.get(), item_); }
 
 Outcome Scene::draw_posed() { return picture_of(renderer_.get(), posed_item_); }
 
+Outcome Scene::shade() {
+    hrbfnpr_occluders* occluders = sentinel<hrbfnpr_occluders>();
+    hrbfnpr_status status =
+        hrbfnpr_occluders_create(context_.get(), &shaded_item_, 1, 0, operation_.get(), &occluders, &error_);
+    if (status != HRBFNPR_STATUS_OK) return outcome(status, occluders == nullptr);
+    const hrbfnpr::test::Occluders owner(occluders);
+    hrbfnpr_shading* shading = sentinel<hrbfnpr_shading>();
+    status = hrbfnpr_shading_create(context_.get(), occluders, &shaded_item_, &camera_, &shading_desc_,
+                                    operation_.get(), &shading, &error_);
+    if (status != HRBFNPR_STATUS_OK) return outcome(status, shading == nullptr);
+    const hrbfnpr::test::Shading own_shading(shading);
+    hrbfnpr_item item = shaded_item_;
+    item.shading = shading;
+    return picture_of(renderer_.get(), item);
+}
+
 Outcome Scene::rasterize() {
     fill_canaries();
     const hrbfnpr_status status = hrbfnpr_drawing_rasterize(drawing_.get(), &image_, &raster_desc_, &error_);
@@ -294,10 +310,14 @@ std::vector<Slot> Scene::slots() {
         FIELDS_TEST_SLOT(hrbfnpr_layer_style, layer_style_, draw),
         FIELDS_TEST_SLOT(hrbfnpr_line_style, line_style_[0], draw),
         FIELDS_TEST_SLOT(hrbfnpr_line_style, line_style_[1], draw),
+        FIELDS_TEST_SLOT(hrbfnpr_light, light_[0], shade),
+        FIELDS_TEST_SLOT(hrbfnpr_light, light_[1], draw),
         FIELDS_TEST_SLOT(hrbfnpr_style, style_, draw),
         FIELDS_TEST_SLOT(hrbfnpr_layer_pose, pose_, draw_posed),
         FIELDS_TEST_SLOT(hrbfnpr_item, item_, draw),
         FIELDS_TEST_SLOT(hrbfnpr_item, posed_item_, draw_posed),
+        FIELDS_TEST_SLOT(hrbfnpr_item, shaded_item_, shade),
+        FIELDS_TEST_SLOT(hrbfnpr_shading_desc, shading_desc_, shade),
         FIELDS_TEST_SLOT(hrbfnpr_image, image_, rasterize),
         FIELDS_TEST_SLOT(hrbfnpr_raster_desc, raster_desc_, rasterize),
         FIELDS_TEST_SLOT(hrbfnpr_vertex_attribute, vertex_attribute_, write_vertices),

@@ -17,6 +17,8 @@ struct Release {
     void operator()(const hrbfnpr_model* handle) const { hrbfnpr_model_release(handle); }
     void operator()(const hrbfnpr_point_set* handle) const { hrbfnpr_point_set_release(handle); }
     void operator()(const hrbfnpr_line_set* handle) const { hrbfnpr_line_set_release(handle); }
+    void operator()(const hrbfnpr_occluders* handle) const { hrbfnpr_occluders_release(handle); }
+    void operator()(const hrbfnpr_shading* handle) const { hrbfnpr_shading_release(handle); }
     void operator()(const hrbfnpr_mesh* handle) const { hrbfnpr_mesh_release(handle); }
     void operator()(hrbfnpr_renderer* handle) const { hrbfnpr_renderer_release(handle); }
     void operator()(const hrbfnpr_drawing* handle) const { hrbfnpr_drawing_release(handle); }
@@ -29,6 +31,8 @@ using Operation = std::unique_ptr<hrbfnpr_operation, Release>;
 using Model = std::unique_ptr<hrbfnpr_model, Release>;
 using PointSet = std::unique_ptr<hrbfnpr_point_set, Release>;
 using LineSet = std::unique_ptr<hrbfnpr_line_set, Release>;
+using Occluders = std::unique_ptr<const hrbfnpr_occluders, Release>;
+using Shading = std::unique_ptr<const hrbfnpr_shading, Release>;
 using Mesh = std::unique_ptr<hrbfnpr_mesh, Release>;
 using Renderer = std::unique_ptr<hrbfnpr_renderer, Release>;
 using Drawing = std::unique_ptr<hrbfnpr_drawing, Release>;

@@ -15,9 +15,10 @@ public:
     explicit NamedStyle(std::uint32_t preset) : name(hrbfnpr_preset_name(preset)) {
         if (hrbfnpr_style_init_preset(&given, sizeof given, preset, nullptr) != HRBFNPR_STATUS_OK)
             throw std::invalid_argument("there is no such preset");
-        style = api::checked_style(given, "style", layers_, lines_);
-        style.layers = layers_.span();
-        style.lines = lines_.span();
+        style = api::checked_style(given, "style", lists_);
+        style.layers = lists_.layers.span();
+        style.lines = lists_.lines.span();
+        style.lights = lists_.lights.span();
     }
     NamedStyle(const NamedStyle&) = delete; // the style refers to the lists
     NamedStyle& operator=(const NamedStyle&) = delete;
@@ -28,8 +29,7 @@ public:
 
 private:
     base::Memory memory_;
-    base::Array<frame::LayerStyle> layers_{memory_};
-    base::Array<frame::LineStyle> lines_{memory_};
+    api::StyleLists lists_{memory_};
 };
 
 inline constexpr auto preset_count = static_cast<std::uint32_t>(std::size(preset_names));

@@ -42,6 +42,44 @@ inline LineSet line_set_of(const Context& context, const Model& model) {
     return LineSet(lines);
 }
 
+// An item with a light that casts shadows.
+struct LitItem {
+    explicit LitItem(const PointSet& marks, const LineSet& lines) {
+        light.space = HRBFNPR_LIGHT_WORLD;
+        light.shadow = 1.0F;
+        light.softness = 0.1F;
+        style.lights = &light;
+        style.light_count = 1;
+        item.point_set = marks.get();
+        item.line_set = lines.get();
+        item.style = &style;
+    }
+    LitItem(const LitItem&) = delete;
+    LitItem& operator=(const LitItem&) = delete;
+
+    hrbfnpr_light light = made(hrbfnpr_light_init);
+    hrbfnpr_style style = made(hrbfnpr_style_init);
+    hrbfnpr_item item = made(hrbfnpr_item_init);
+};
+
+inline hrbfnpr::test::Occluders occluders_of(const Context& context, const PointSet& marks, const LineSet& lines) {
+    scenes::Check check;
+    const LitItem lit(marks, lines);
+    hrbfnpr_occluders* occluders = nullptr;
+    check(hrbfnpr_occluders_create(context.get(), &lit.item, 1, 0, nullptr, &occluders, check.error()));
+    return hrbfnpr::test::Occluders(occluders);
+}
+
+inline hrbfnpr::test::Shading shading_of(const Context& context, const hrbfnpr::test::Occluders& occluders,
+                                         const PointSet& marks, const LineSet& lines) {
+    scenes::Check check;
+    const LitItem lit(marks, lines);
+    hrbfnpr_shading* shading = nullptr;
+    check(hrbfnpr_shading_create(context.get(), occluders.get(), &lit.item, nullptr, nullptr, nullptr, &shading,
+                                 check.error()));
+    return hrbfnpr::test::Shading(shading);
+}
+
 inline hrbfnpr::test::Mesh mesh_of(const Context& context) {
     scenes::Check check;
     const hrbfnpr::test::Triangles from = hrbfnpr::test::icosphere(2);

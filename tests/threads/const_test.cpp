@@ -63,6 +63,8 @@ struct Shared {
     Model model = fit(context, 60);
     PointSet marks = generate(context, model, three_layers(200));
     LineSet lines = line_set_of(context, model);
+    hrbfnpr::test::Occluders occluders = occluders_of(context, marks, lines);
+    hrbfnpr::test::Shading shading = shading_of(context, occluders, marks, lines);
     hrbfnpr::test::Mesh mesh = mesh_of(context);
     Drawing drawing = drawing_of(context, marks);
     hrbfnpr::test::Picture picture = picture_of(context, model);
@@ -261,6 +263,27 @@ void add_point_sets(std::map<std::string, Call>& calls) {
     });
     RETAIN_AND_RELEASE(line_set, s.lines);
     INFO(hrbfnpr_line_set_get_info, hrbfnpr_line_set_info, s.lines);
+    RETAIN_AND_RELEASE(occluders, s.occluders);
+    RETAIN_AND_RELEASE(shading, s.shading);
+    CALL(hrbfnpr_shading_create) {
+        LitItem lit(s.marks, s.lines);
+        hrbfnpr_shading* shading = nullptr;
+        status = hrbfnpr_shading_create(s.context.get(), s.occluders.get(), &lit.item, nullptr, nullptr, nullptr,
+                                        &shading, error);
+        const hrbfnpr::test::Shading owned(shading);
+        lit.item.shading = shading;
+        hrbfnpr_renderer* raw = nullptr;
+        hrbfnpr_renderer_create(s.context.get(), &raw, nullptr);
+        const Renderer renderer(raw);
+        auto camera = made(hrbfnpr_camera_init);
+        hrbfnpr_picture_get_camera(s.picture.get(), &camera, nullptr);
+        hrbfnpr_drawing* drawing = nullptr;
+        if (shading != nullptr) status = hrbfnpr_renderer_draw(raw, &lit.item, 1, 0, &camera, &drawing, error);
+        const Drawing owned_drawing(drawing);
+        auto info = made(hrbfnpr_drawing_info_init);
+        hrbfnpr_drawing_get_info(drawing, &info, nullptr);
+        result.add(info.shown);
+    });
     RETAIN_AND_RELEASE(point_set, s.marks);
     INFO(hrbfnpr_point_set_get_info, hrbfnpr_point_set_info, s.marks);
     CALL(hrbfnpr_point_set_get_layer_info) {

@@ -45,15 +45,16 @@ hrbfnpr_camera Stages::camera() const { return front_camera(sizes_.pixels); }
 void Stages::renew_renderer() { renderer_ = make_renderer(context_); }
 
 void Stages::add_frame(std::vector<Stage>& stages, const std::string& name, const hrbfnpr_style& style, bool lines,
-                       std::uint32_t sides) {
+                       std::uint32_t sides, const hrbfnpr_shading* shading) {
     add(
         stages, name,
-        [this, style, lines, sides](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        [this, style, lines, sides, shading](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
             const hrbfnpr_camera view = camera();
             auto item = made(hrbfnpr_item_init);
             item.point_set = set_.get();
             item.style = &style;
             item.sides = sides;
+            item.shading = shading;
             if (lines) item.line_set = curved_lines_.get();
             hrbfnpr_drawing* drawing = nullptr;
             const auto status = attempt([&] {
@@ -106,6 +107,82 @@ void Stages::add_frames(std::vector<Stage>& stages) {
         hrbfnpr_renderer_release(renderer);
         return status;
     });
+}
+
+// Marks and lines with two lights that cast shadows, and a sky.
+hrbfnpr_item Stages::lit_item() {
+    for (hrbfnpr_light& light : lights_) {
+        light = made(hrbfnpr_light_init);
+        light.intensity = 0.5F;
+        light.shadow = 1.0F;
+    }
+    lights_[1].kind = HRBFNPR_LIGHT_KIND_PLACE;
+    lights_[1].space = HRBFNPR_LIGHT_ITEM;
+    lights_[1].place[0] = 4.0;
+    lights_[1].softness = 0.2F;
+    lit_style_ = made(hrbfnpr_style_init);
+    lit_style_.lights = lights_.data();
+    lit_style_.light_count = static_cast<std::int64_t>(lights_.size());
+    lit_style_.ambient_sky = 0.3F;
+    auto item = item_of(set_, &lit_style_);
+    item.line_set = curved_lines_.get();
+    return item;
+}
+
+// Makes the occluders and the shading that all stages share.
+void Stages::make_shading() {
+    Error error;
+    const hrbfnpr_item item = lit_item();
+    const hrbfnpr_camera view = camera();
+    hrbfnpr_occluders* occluders = nullptr;
+    EXPECT_OK(hrbfnpr_occluders_create(context_.get(), &item, 1, 0, nullptr, &occluders, error));
+    occluders_.reset(occluders);
+    hrbfnpr_shading* shading = nullptr;
+    EXPECT_OK(hrbfnpr_shading_create(context_.get(), occluders, &item, &view, nullptr, nullptr, &shading, error));
+    shading_.reset(shading);
+}
+
+void Stages::add_lights(std::vector<Stage>& stages) {
+    make_shading();
+    const hrbfnpr_item item = lit_item();
+    const hrbfnpr_camera view = camera();
+    const auto append_drawn = [this, item, view](Bytes& bytes, const hrbfnpr_shading* shading) {
+        hrbfnpr_item shaded = item;
+        shaded.shading = shading;
+        append_pixels(bytes, draw_item(make_renderer(context_), shaded, view).get(), sizes_.pixels);
+    };
+    add(stages, "light.occluders", [=, this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        hrbfnpr_occluders* occluders = nullptr;
+        const auto status = attempt([&] {
+            return hrbfnpr_occluders_create(context_.get(), &item, 1, 0, attempt.operation, &occluders, error);
+        });
+        EXPECT_EQ(occluders != nullptr, status == HRBFNPR_STATUS_OK);
+        const Occluders owned(occluders);
+        if (!owned) return status;
+        hrbfnpr_shading* shading = nullptr;
+        EXPECT_EQ(hrbfnpr_shading_create(context_.get(), occluders, &item, &view, nullptr, nullptr, &shading, nullptr),
+                  HRBFNPR_STATUS_OK);
+        append_drawn(bytes, Shading(shading).get());
+        return status;
+    });
+    const auto add_shading = [&](const char* name, const hrbfnpr_shading* previous) {
+        add(stages, name, [=, this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+            auto desc = made(hrbfnpr_shading_desc_init);
+            desc.previous = previous;
+            hrbfnpr_shading* shading = nullptr;
+            const auto status = attempt([&] {
+                return hrbfnpr_shading_create(context_.get(), occluders_.get(), &item, &view, &desc, attempt.operation,
+                                              &shading, error);
+            });
+            EXPECT_EQ(shading != nullptr, status == HRBFNPR_STATUS_OK);
+            const Shading owned(shading);
+            if (owned) append_drawn(bytes, shading);
+            return status;
+        });
+    };
+    add_shading("light.shading", nullptr);
+    add_shading("light.moved", shading_.get());
+    add_frame(stages, "frame.shaded", lit_style_, true, HRBFNPR_SIDES_FRONT, shading_.get());
 }
 
 // Strokes and contours whose hidden parts are dashed.

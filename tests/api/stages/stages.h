@@ -12,6 +12,8 @@
 namespace api_test {
 
 using hrbfnpr::test::LineSet;
+using hrbfnpr::test::Occluders;
+using hrbfnpr::test::Shading;
 
 class Stages {
 public:
@@ -29,6 +31,7 @@ private:
     void add_marks(std::vector<Stage>& stages);
     void add_files(std::vector<Stage>& stages);
     void add_frames(std::vector<Stage>& stages);
+    void add_lights(std::vector<Stage>& stages);
     void add_readers(std::vector<Stage>& stages);
     void add_pages(std::vector<Stage>& stages);
     void add_pictures(std::vector<Stage>& stages);
@@ -38,7 +41,7 @@ private:
     void add_set(std::vector<Stage>& stages, const std::string& name, const Generation& desc);
     void add_line_set(std::vector<Stage>& stages, const char* name, bool curved);
     void add_frame(std::vector<Stage>& stages, const std::string& name, const hrbfnpr_style& style, bool lines,
-                   std::uint32_t sides = HRBFNPR_SIDES_FRONT);
+                   std::uint32_t sides = HRBFNPR_SIDES_FRONT, const hrbfnpr_shading* shading = nullptr);
     void add_page(std::vector<Stage>& stages, const char* name, std::uint32_t format, std::uint32_t flags);
     // Adds stages that make, draw and read (as an image) a picture of one source. `picture` refers to arrays that live
     // as long as the stages.
@@ -47,6 +50,8 @@ private:
     [[nodiscard]] hrbfnpr_picture_desc picture_desc() const;
 
     [[nodiscard]] hrbfnpr_camera camera() const;
+    [[nodiscard]] hrbfnpr_item lit_item();
+    void make_shading();
     [[nodiscard]] const hrbfnpr_drawing* drawing();
     void renew_renderer();
 
@@ -61,6 +66,10 @@ private:
     LineSet curved_lines_;
     std::array<hrbfnpr_layer_style, 3> layer_styles_{};
     std::array<hrbfnpr_line_style, 4> line_styles_{};
+    std::array<hrbfnpr_light, 2> lights_{};
+    hrbfnpr_style lit_style_{};
+    Occluders occluders_;
+    Shading shading_;
     Mesh mesh_, solid_;
     Renderer renderer_;
     Drawing drawing_;

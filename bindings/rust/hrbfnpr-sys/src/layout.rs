@@ -680,6 +680,22 @@ const _: () = {
 };
 
 const _: () = {
+    assert!(size_of::<hrbfnpr_light>() == 48);
+    assert!(align_of::<hrbfnpr_light>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_light, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_light, kind) == 4);
+    assert!(offset_of!(hrbfnpr_light, space) == 8);
+    assert!(offset_of!(hrbfnpr_light, intensity) == 12);
+    assert!(offset_of!(hrbfnpr_light, shadow) == 16);
+    assert!(offset_of!(hrbfnpr_light, softness) == 20);
+    assert!(offset_of!(hrbfnpr_light, place) == 24);
+};
+
+const _: () = {
     assert!(size_of::<hrbfnpr_layer_style>() == either(120, 116, 116));
     assert!(align_of::<hrbfnpr_layer_style>() == either(8, 4, 4));
 };
@@ -751,7 +767,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_style>() == either(248, 240, 232));
+    assert!(size_of::<hrbfnpr_style>() == either(352, 344, 332));
     assert!(align_of::<hrbfnpr_style>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -792,6 +808,24 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_style, line_stride) == either(232, 224, 216));
     assert!(offset_of!(hrbfnpr_style, fill_light) == either(240, 232, 224));
     assert!(offset_of!(hrbfnpr_style, reserved2) == either(244, 236, 228));
+    assert!(offset_of!(hrbfnpr_style, light_intensity) == either(248, 240, 232));
+    assert!(offset_of!(hrbfnpr_style, light_shadow) == either(252, 244, 236));
+    assert!(offset_of!(hrbfnpr_style, light_softness) == either(256, 248, 240));
+    assert!(offset_of!(hrbfnpr_style, reserved3) == either(260, 252, 244));
+    assert!(offset_of!(hrbfnpr_style, lights) == either(264, 256, 248));
+    assert!(offset_of!(hrbfnpr_style, light_count) == either(272, 264, 252));
+    assert!(offset_of!(hrbfnpr_style, light_stride) == either(280, 272, 260));
+    assert!(offset_of!(hrbfnpr_style, ambient_up) == either(288, 280, 268));
+    assert!(offset_of!(hrbfnpr_style, ambient_sky) == either(312, 304, 292));
+    assert!(offset_of!(hrbfnpr_style, ambient_ground) == either(316, 308, 296));
+    assert!(offset_of!(hrbfnpr_style, occlusion) == either(320, 312, 300));
+    assert!(offset_of!(hrbfnpr_style, occlusion_exponent) == either(324, 316, 304));
+    assert!(offset_of!(hrbfnpr_style, rim_light) == either(328, 320, 308));
+    assert!(offset_of!(hrbfnpr_style, rim_exponent) == either(332, 324, 312));
+    assert!(offset_of!(hrbfnpr_style, tone_black) == either(336, 328, 316));
+    assert!(offset_of!(hrbfnpr_style, tone_white) == either(340, 332, 320));
+    assert!(offset_of!(hrbfnpr_style, tone_gamma) == either(344, 336, 324));
+    assert!(offset_of!(hrbfnpr_style, tone_steps) == either(348, 340, 328));
 };
 
 const _: () = {
@@ -810,7 +844,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_item>() == either(192, 184, 172));
+    assert!(size_of::<hrbfnpr_item>() == either(200, 184, 176));
     assert!(align_of::<hrbfnpr_item>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -826,6 +860,22 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_item, pose_count) == either(168, 160, 152));
     assert!(offset_of!(hrbfnpr_item, pose_stride) == either(176, 168, 160));
     assert!(offset_of!(hrbfnpr_item, line_set) == either(184, 176, 168));
+    assert!(offset_of!(hrbfnpr_item, shading) == either(192, 180, 172));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_shading_desc>() == either(32, 32, 28));
+    assert!(align_of::<hrbfnpr_shading_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_shading_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_shading_desc, sky_rays) == 4);
+    assert!(offset_of!(hrbfnpr_shading_desc, shadow_rays) == 8);
+    assert!(offset_of!(hrbfnpr_shading_desc, reserved) == 12);
+    assert!(offset_of!(hrbfnpr_shading_desc, occlusion_reach) == 16);
+    assert!(offset_of!(hrbfnpr_shading_desc, previous) == 24);
 };
 
 const _: () = {

@@ -2867,11 +2867,48 @@ pub const HRBFNPR_TONE_RULE_SHARE: u32 = 0;
 /// share [NPAR 6.2].
 pub const HRBFNPR_TONE_RULE_PUBLISHED: u32 = 1;
 
-// The space in which the direction to the light is given.
+// The space in which the direction to the light, or its place, is given.
 /// world space: the light stays where it is when the camera moves
 pub const HRBFNPR_LIGHT_WORLD: u32 = 0;
 /// eye space: the light moves with the camera
 pub const HRBFNPR_LIGHT_CAMERA: u32 = 1;
+/// object space: the light moves with the item
+pub const HRBFNPR_LIGHT_ITEM: u32 = 2;
+
+// Where a light comes from.
+/// from far away, everywhere from the same direction
+pub const HRBFNPR_LIGHT_KIND_DIRECTIONAL: u32 = 0;
+/// from a place; its strength does not fall with the distance
+pub const HRBFNPR_LIGHT_KIND_PLACE: u32 = 1;
+
+/// A light of a style.  It adds intensity * max(0, n . l)^tone_exponent to the light of a
+/// mark, where l is the unit
+/// vector to the light.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_light {
+    pub struct_size: u32,
+    /// where it comes from, HRBFNPR_LIGHT_KIND_...; default DIRECTIONAL
+    pub kind: u32,
+    /// space of `place`, HRBFNPR_LIGHT_...; default CAMERA
+    pub space: u32,
+    /// 0 .. 16; default 1 = a surface that faces the light is white
+    pub intensity: f32,
+    /// share of its light that its cast shadows take away, 0 .. 1; default 0 = it casts none. It
+    /// has an effect on items with a shading
+    pub shadow: f32,
+    /// radius of the light as it is seen from the surface, in radians, 0 .. 0.5; default 0 =
+    /// shadows with sharp borders; the sun has 0.0047
+    pub softness: f32,
+    /// DIRECTIONAL: the direction to the light, of any length but 0; PLACE: the place; default
+    /// (-0.4, 0.6, 0.7)
+    pub place: [f64; 3],
+}
+
+extern "C" {
+    /// Sets struct_size and all defaults.
+    pub fn hrbfnpr_light_init(light: *mut hrbfnpr_light, struct_size: u32) -> hrbfnpr_status;
+}
 
 /// Computes the tone of many places, by any illumination model.  It fills `tau` (count
 /// floats, 1 = light, 0 = dark) from
@@ -3209,9 +3246,58 @@ pub struct hrbfnpr_style {
     pub line_stride: i64,
     /// strength of a light from the side opposite to `light`, which lets the unlit side keep its
     /// form: tau = fill_light * (n . l)^2 where n . l < 0; 0 .. 1; default 0.25. The lit side
-    /// stays as it is. For TONE_LIGHT with DEPTH_LAYERS and TONE_RULE_SHARE
+    /// stays as it is. For TONE_LIGHT with DEPTH_LAYERS and TONE_RULE_SHARE. With `lights` it
+    /// comes from the side opposite to the first one
     pub fill_light: f32,
     pub reserved2: u32,
+    /// as in hrbfnpr_light; default 1
+    ///
+    /// Lights, for TONE_LIGHT with DEPTH_LAYERS and TONE_RULE_SHARE.  Their sum is the light s of
+    /// a mark, and the tone
+    /// law makes tau of it: tau = t^tone_gamma, where t = (s - tone_black) / (tone_white -
+    /// tone_black), clamped to 0 ..
+    /// 1.
+    pub light_intensity: f32,
+    /// as in hrbfnpr_light; default 0
+    pub light_shadow: f32,
+    /// as in hrbfnpr_light; default 0
+    pub light_softness: f32,
+    pub reserved3: u32,
+    /// a list of up to 8 lights; default NULL = one directional light, with the fields `light`
+    /// and light_, which a list replaces. The first one is the light of isophotes and of
+    /// lit_factor
+    pub lights: *const hrbfnpr_light,
+    /// number of `lights`; default 0
+    pub light_count: i64,
+    /// bytes from one element of `lights` to the next; default 0 = struct_size
+    pub light_stride: i64,
+    /// direction to the sky, in world space, of any length but 0; default (0, 1, 0)
+    pub ambient_up: [f64; 3],
+    /// light where the surface faces the sky; 0 .. 16; default 0. Ambient light is a mean of the
+    /// light from the sky, weighted by (1 + n . up) / 2, and that from the ground
+    pub ambient_sky: f32,
+    /// light where the surface faces the ground; 0 .. 16; default 0
+    pub ambient_ground: f32,
+    /// share of the ambient light that is lost where no sky is seen, 0 .. 1; default 1. It has an
+    /// effect on items with a shading
+    pub occlusion: f32,
+    /// ambient light is multiplied by the share of the sky that is seen to this power; above 0,
+    /// up to 16; default 1.5. Larger: hollows are darker
+    pub occlusion_exponent: f32,
+    /// adds rim_light * (1 - |n . v|)^rim_exponent, where v points to the eye: contours are
+    /// lighter; 0 .. 16; default 0
+    pub rim_light: f32,
+    /// above 0, up to 64; default 3. Larger: the light rim is narrower
+    pub rim_exponent: f32,
+    /// light that is drawn as black; -16 .. 16; default 0
+    pub tone_black: f32,
+    /// light that is drawn as white; above tone_black, up to 16; default 1
+    pub tone_white: f32,
+    /// exponent of the tone law; above 0, up to 16; default 1. Larger: mid-tones are darker
+    pub tone_gamma: f32,
+    /// number of flat tones, from black to white, 2 .. 6; default 0 = continuous tones. The steps
+    /// of t have the same size
+    pub tone_steps: u32,
 }
 
 extern "C" {
@@ -3343,6 +3429,14 @@ pub const HRBFNPR_SIDES_FRONT: u32 = 0;
 /// the camera and one that faces away
 pub const HRBFNPR_SIDES_BOTH: u32 = 1;
 
+/// How much light reaches the marks of an item past the surfaces of all items; see
+/// hrbfnpr_shading_create.
+#[repr(C)]
+pub struct hrbfnpr_shading {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
 /// One thing to draw.  What it points to is read during _draw only, except that the drawing
 /// retains the point set.
 #[repr(C)]
@@ -3371,11 +3465,98 @@ pub struct hrbfnpr_item {
     /// that have one hide each other's lines; other items hide no lines. It must be NULL if there
     /// are poses
     pub line_set: *const hrbfnpr_line_set,
+    /// how much light reaches the marks; default NULL = all. It must be that of `point_set`, and
+    /// NULL if there are poses
+    pub shading: *const hrbfnpr_shading,
 }
 
 extern "C" {
     /// Sets struct_size, NULL pointers and the identity transform.
     pub fn hrbfnpr_item_init(item: *mut hrbfnpr_item, struct_size: u32) -> hrbfnpr_status;
+}
+
+/// The surfaces that cast shadows and hide the sky.  It does not change, so any threads may use it.
+#[repr(C)]
+pub struct hrbfnpr_occluders {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+extern "C" {
+    /// Gathers the surfaces of all items that have a line set, at their transforms: the triangles
+    /// on which lines are found.
+    /// Walls thinner than a cell of the line set may let light through.  The other fields of
+    /// items are not read.
+    ///
+    /// Errors: INVALID_ARGUMENT (no item has a line set), OUT_OF_MEMORY, CANCELLED.
+    pub fn hrbfnpr_occluders_create(
+        context: *mut hrbfnpr_context,
+        items: *const hrbfnpr_item,
+        item_count: i64,
+        item_stride: i64,
+        operation: *mut hrbfnpr_operation,
+        out_occluders: *mut *mut hrbfnpr_occluders,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Adds a reference.  Any thread may call it; NULL is ignored.
+    pub fn hrbfnpr_occluders_retain(occluders: *const hrbfnpr_occluders);
+    /// Releases a reference.  Any thread may call it; NULL is ignored.
+    pub fn hrbfnpr_occluders_release(occluders: *const hrbfnpr_occluders);
+}
+
+/// How a shading is computed.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_shading_desc {
+    pub struct_size: u32,
+    /// number of rays by which a mark sees the sky; 1 .. 4096; default 64. Larger: less noise
+    pub sky_rays: i32,
+    /// number of rays by which a mark in a penumbra sees a light; 1 .. 4096; default 32
+    pub shadow_rays: i32,
+    pub reserved: u32,
+    /// distance beyond which nothing hides the sky, in diagonals of the box around all occluders;
+    /// 0 .. 100; default 0.35; 0 = the whole sky is seen everywhere. What is nearer hides the
+    /// more, the nearer it is: 1 - distance / reach
+    pub occlusion_reach: f64,
+    /// a shading of the same item and the same occluders, but for other lights, whose occlusion
+    /// is taken; default NULL = occlusion is computed. sky_rays and occlusion_reach then have no
+    /// effect
+    pub previous: *const hrbfnpr_shading,
+}
+
+extern "C" {
+    /// Sets every field to its default.
+    pub fn hrbfnpr_shading_desc_init(
+        desc: *mut hrbfnpr_shading_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// Computes how much of the sky [Zhukov, Iones & Kronin 1998] and of each light with a shadow
+    /// the marks of an item see.
+    /// The result holds for the item's point set, its transform, the lights of its style, and the
+    /// occluders.  It stays valid
+    /// while these stay, for any camera, except that lights in camera space move with the camera.
+    ///
+    /// occluders:   the surfaces, in world space
+    /// item:        point_set, style and transform are read
+    /// camera:      the camera of lights in camera space that cast shadows; may be NULL without
+    /// such lights
+    /// desc:        NULL = all defaults
+    ///
+    /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+    pub fn hrbfnpr_shading_create(
+        context: *mut hrbfnpr_context,
+        occluders: *const hrbfnpr_occluders,
+        item: *const hrbfnpr_item,
+        camera: *const hrbfnpr_camera,
+        desc: *const hrbfnpr_shading_desc,
+        operation: *mut hrbfnpr_operation,
+        out_shading: *mut *mut hrbfnpr_shading,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Adds a reference.  Any thread may call it; NULL is ignored.
+    pub fn hrbfnpr_shading_retain(shading: *const hrbfnpr_shading);
+    /// Releases a reference.  Any thread may call it; NULL is ignored.
+    pub fn hrbfnpr_shading_release(shading: *const hrbfnpr_shading);
     /// Draws a list of items for one camera: it classifies, shades and orders their marks, and
     /// traces their lines.
     /// item_stride is the number of bytes from one item to the next; 0 = struct_size.  All styles
@@ -4963,6 +5144,8 @@ pub const HRBFNPR_STAGE_LINES: u32 = 9;
 pub const HRBFNPR_STAGE_FRAME: u32 = 10;
 /// draws the views of a sheet
 pub const HRBFNPR_STAGE_VIEWS: u32 = 11;
+/// finds occlusion and cast shadows
+pub const HRBFNPR_STAGE_SHADE: u32 = 12;
 
 // How much a note matters.
 /// a measurement

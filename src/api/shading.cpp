@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "api/shading.h"
+
+#include "api/barrier.h"
+#include "api/camera.h"
+#include "api/descriptor.h"
+#include "api/fields.h"
+#include "api/line_set.h"
+#include "api/lists.h"
+#include "api/operation.h"
+#include "api/point_set.h"
+#include "api/style.h"
+#include "api/views.h"
+
+using namespace hrbfnpr;
+
+hrbfnpr_shading::hrbfnpr_shading(hrbfnpr_context& context, const hrbfnpr_point_set& of, frame::Shading&& made)
+    : Child(context), set(of), shading(std::move(made)) {
+    set.add_reference();
+}
+
+hrbfnpr_shading::~hrbfnpr_shading() { api::release_handle(&set); }
+
+namespace hrbfnpr::api {
+namespace {
+
+constexpr std::int64_t most_casting_items = 65536;
+
+[[nodiscard]] constexpr auto shading_fields() noexcept {
+    using Given = hrbfnpr_shading_desc;
+    using To = frame::ShadingSettings;
+    return FieldTable{field("sky_rays", &Given::sky_rays, &To::sky_rays, rule::Between{1.0, 4096.0}),
+                      field("shadow_rays", &Given::shadow_rays, &To::shadow_rays, rule::Between{1.0, 4096.0}),
+                      reserved("reserved", &Given::reserved),
+                      field("occlusion_reach", &Given::occlusion_reach, &To::reach, rule::Between{0.0, 100.0}),
+                      field("previous", &Given::previous, rule::Any{})};
+}
+static_assert(shading_fields().covers<hrbfnpr_shading_desc>());
+
+hrbfnpr_occluders* create(hrbfnpr_context& context, const List<hrbfnpr_item>& items, hrbfnpr_operation* operation) {
+    const OperationUse use(operation);
+    base::Array<frame::Caster> casters(context.runtime.memory);
+    for (std::int64_t i = 0; i < items.count(); ++i) {
+        const hrbfnpr_item item = items[i];
+        if (item.line_set != nullptr) casters.push_back({&item.line_set->lines.mesh(), to_matrix(item.transform)});
+    }
+    if (casters.empty())
+        fail(Status::invalid_argument, "items have no line_set; what casts shadows is the surface of a line set");
+    return use.finish_with(make_handle<hrbfnpr_occluders>(
+        context, frame::casters_of({context.runtime, use.progress()}, std::as_const(casters).span())));
+}
+
+hrbfnpr_shading* create(hrbfnpr_context& context, const hrbfnpr_occluders& occluders, const hrbfnpr_item& item,
+                        const hrbfnpr_camera* camera, const hrbfnpr_shading_desc& desc, hrbfnpr_operation* operation) {
+    const OperationUse use(operation);
+    const Checks checks("item");
+    checks.not_null("point_set", item.point_set != nullptr);
+    if (item.pose_count > 0) fail(Status::invalid_argument, "item.poses are given; posed marks cannot be shaded");
+    shading_fields().check("shading_desc", desc);
+    StyleLists lists(context.runtime.memory);
+    const frame::Style style = checked_style(read_optional_struct(item.style, "item.style"), "item.style", lists);
+    if (lists.lights.empty()) lists.lights.push_back(style.key_light());
+    frame::ShadingSettings settings;
+    shading_fields().copy(desc, settings);
+    if (desc.previous != nullptr && &desc.previous->set != item.point_set)
+        fail(Status::invalid_argument, "shading_desc.previous was made for another point set");
+    if (desc.previous != nullptr) settings.previous = &desc.previous->shading;
+    settings.reach *= occluders.casters.diagonal;
+    frame::ShadedItem shaded{&item.point_set->set, to_matrix(item.transform), std::as_const(lists.lights).span(),
+                             glm::dmat4(1.0)};
+    const bool needs_camera = std::any_of(lists.lights.begin(), lists.lights.end(), [](const frame::LightStyle& light) {
+        return light.space == frame::LightSpace::camera && light.shadow > 0.0F;
+    });
+    if (needs_camera) shaded.view = to_camera(read_struct(camera, "camera")).view;
+    return use.finish_with(make_handle<hrbfnpr_shading>(
+        context, *item.point_set,
+        frame::find_shading({context.runtime, use.progress()}, occluders.casters, shaded, settings)));
+}
+
+} // namespace
+
+template <>
+hrbfnpr_shading_desc defaults() noexcept {
+    hrbfnpr_shading_desc desc{};
+    desc.struct_size = sizeof desc;
+    shading_fields().set_defaults(frame::ShadingSettings{}, desc);
+    desc.occlusion_reach = 0.35;
+    return desc;
+}
+
+} // namespace hrbfnpr::api
+
+extern "C" {
+
+hrbfnpr_status hrbfnpr_occluders_create(hrbfnpr_context* context, const hrbfnpr_item* items, int64_t item_count,
+                                        int64_t item_stride, hrbfnpr_operation* operation,
+                                        hrbfnpr_occluders** out_occluders, hrbfnpr_error* error) {
+    return api::guarded_create(out_occluders, "out_occluders", error, [&] {
+        return api::create(api::deref(context, "context"),
+                           {items, item_count, item_stride, api::most_casting_items, "items"}, operation);
+    });
+}
+
+void hrbfnpr_occluders_retain(const hrbfnpr_occluders* occluders) {
+    if (occluders != nullptr) occluders->add_reference();
+}
+
+void hrbfnpr_occluders_release(const hrbfnpr_occluders* occluders) { api::release_handle(occluders); }
+
+hrbfnpr_status hrbfnpr_shading_desc_init(hrbfnpr_shading_desc* desc, uint32_t struct_size) {
+    return api::init_struct(desc, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_shading_create(hrbfnpr_context* context, const hrbfnpr_occluders* occluders,
+                                      const hrbfnpr_item* item, const hrbfnpr_camera* camera,
+                                      const hrbfnpr_shading_desc* desc, hrbfnpr_operation* operation,
+                                      hrbfnpr_shading** out_shading, hrbfnpr_error* error) {
+    return api::guarded_create(out_shading, "out_shading", error, [&] {
+        return api::create(api::deref(context, "context"), api::deref(occluders, "occluders"),
+                           api::read_struct(item, "item"), camera, api::read_optional_struct(desc, "shading_desc"),
+                           operation);
+    });
+}
+
+void hrbfnpr_shading_retain(const hrbfnpr_shading* shading) {
+    if (shading != nullptr) shading->add_reference();
+}
+
+void hrbfnpr_shading_release(const hrbfnpr_shading* shading) { api::release_handle(shading); }
+
+} // extern "C"

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// Occlusion and cast shadows, by the C interface.
+#include "fixture.h"
+
+namespace api_test::shading_test {
+namespace {
+
+// Two unit balls, one above the other by 3. Both have stipples and line sets.
+class Shadings : public testing::Test {
+protected:
+    Shadings() : model(custom_sphere(context, sphere)), renderer(make_renderer(context)) {
+        desc.add(HRBFNPR_LAYER_KIND_STIPPLES, 20000);
+        set = generate(context, model, desc);
+        auto line_desc = made(hrbfnpr_line_set_desc_init);
+        hrbfnpr_line_set* made_lines = nullptr;
+        EXPECT_OK(hrbfnpr_line_set_create(context.get(), model.get(), &line_desc, nullptr, &made_lines, error));
+        lines.reset(made_lines);
+        style.fill_light = 0.0F;
+        light.space = HRBFNPR_LIGHT_WORLD;
+        light.shadow = 1.0F;
+        light.place[0] = 0.0;
+        light.place[1] = 1.0;
+        light.place[2] = 0.0;
+        style.lights = &light;
+        style.light_count = 1;
+        style.hidden_lines = HRBFNPR_HIDDEN_LINES_SHOW;
+        for (hrbfnpr_item& item : items) {
+            EXPECT_OK(hrbfnpr_item_init(&item, sizeof item));
+            item.point_set = set.get();
+            item.line_set = lines.get();
+            item.style = &style;
+        }
+        items[1].transform[13] = 3.0;
+        hrbfnpr_occluders* made_occluders = nullptr;
+        EXPECT_OK(hrbfnpr_occluders_create(context.get(), items.data(), 2, 0, nullptr, &made_occluders, error));
+        occluders.reset(made_occluders);
+    }
+    hrbfnpr_status shade(const hrbfnpr_item& item, const hrbfnpr_shading_desc* shading_desc = nullptr,
+                         const hrbfnpr_camera* seen_from = nullptr) {
+        hrbfnpr_shading* made_shading = nullptr;
+        const hrbfnpr_status status = hrbfnpr_shading_create(context.get(), occluders.get(), &item, seen_from,
+                                                             shading_desc, nullptr, &made_shading, error);
+        shading.reset(made_shading);
+        return status;
+    }
+    // Returns the number of marks of an item that are shown.
+    std::int64_t shown(hrbfnpr_item item) {
+        item.line_set = nullptr;
+        return info_of(draw_item(renderer, item, camera)).shown;
+    }
+
+    struct ReleaseOccluders {
+        void operator()(hrbfnpr_occluders* handle) const { hrbfnpr_occluders_release(handle); }
+    };
+    struct ReleaseShading {
+        void operator()(hrbfnpr_shading* handle) const { hrbfnpr_shading_release(handle); }
+    };
+
+    Error error;
+    Context context = make_context();
+    Sphere sphere;
+    Model model;
+    Renderer renderer;
+    Generation desc;
+    PointSet set;
+    hrbfnpr::test::LineSet lines;
+    hrbfnpr_style style = made(hrbfnpr_style_init);
+    hrbfnpr_light light = made(hrbfnpr_light_init);
+    std::array<hrbfnpr_item, 2> items{};
+    std::unique_ptr<hrbfnpr_occluders, ReleaseOccluders> occluders;
+    std::unique_ptr<hrbfnpr_shading, ReleaseShading> shading;
+    hrbfnpr_camera camera = front_camera(400);
+};
+
+TEST_F(Shadings, TheUpperBallShadesTheLowerOne) {
+    for (hrbfnpr_item& item : items) {
+        const std::int64_t lit = shown(item);
+        ASSERT_OK(shade(item));
+        item.shading = shading.get();
+        const std::int64_t shaded = shown(item);
+        if (&item == &items[0])
+            EXPECT_GT(shaded, lit + lit / 8);
+        else
+            EXPECT_EQ(shaded, lit) << "nothing is above it, and its own shadow lies where it faces away";
+        item.shading = nullptr;
+    }
+}
+
+TEST_F(Shadings, HalfAShadowTakesHalfOfTheLight) {
+    const std::int64_t lit = shown(items[0]);
+    ASSERT_OK(shade(items[0]));
+    items[0].shading = shading.get();
+    const std::int64_t full = shown(items[0]);
+    light.shadow = 0.5F;
+    const std::int64_t half = shown(items[0]);
+    EXPECT_GT(half, lit);
+    EXPECT_LT(half, full);
+}
+
+TEST_F(Shadings, OcclusionDarkensWhatIsBelow) {
+    style.light_count = 0;
+    style.light[0] = 0.0;
+    style.light[1] = 0.0;
+    style.light[2] = -1.0;
+    style.light_space = HRBFNPR_LIGHT_WORLD;
+    style.ambient_sky = style.ambient_ground = 0.8F;
+    items[1].transform[13] = 2.05;
+    hrbfnpr_occluders* closer = nullptr;
+    ASSERT_OK(hrbfnpr_occluders_create(context.get(), items.data(), 2, 0, nullptr, &closer, error));
+    occluders.reset(closer);
+    const std::int64_t open = shown(items[0]);
+    ASSERT_OK(shade(items[0]));
+    items[0].shading = shading.get();
+    const std::int64_t occluded = shown(items[0]);
+    EXPECT_GT(occluded, open + open / 50);
+    style.occlusion = 0.0F;
+    EXPECT_EQ(shown(items[0]), open);
+    style.occlusion = 1.0F;
+    auto none = made(hrbfnpr_shading_desc_init);
+    none.occlusion_reach = 0.0;
+    ASSERT_OK(shade(items[0], &none));
+    items[0].shading = shading.get();
+    EXPECT_EQ(shown(items[0]), open);
+}
+
+TEST_F(Shadings, TakeOcclusionFromAnEarlierOne) {
+    style.ambient_sky = 0.5F;
+    ASSERT_OK(shade(items[0]));
+    items[0].shading = shading.get();
+    const std::int64_t from_above = shown(items[0]);
+    const auto first = std::move(shading);
+    auto again = made(hrbfnpr_shading_desc_init);
+    again.previous = first.get();
+    again.sky_rays = 1;
+    ASSERT_OK(shade(items[0], &again));
+    items[0].shading = shading.get();
+    EXPECT_EQ(shown(items[0]), from_above);
+}
+
+TEST_F(Shadings, OfLightsInCameraSpaceNeedTheCamera) {
+    light.space = HRBFNPR_LIGHT_CAMERA;
+    EXPECT_FAILS(shade(items[0]), HRBFNPR_STATUS_INVALID_ARGUMENT, "camera is NULL");
+    EXPECT_OK(shade(items[0], nullptr, &camera));
+}
+
+TEST_F(Shadings, WrongArgumentsAreRefused) {
+    auto shading_desc = made(hrbfnpr_shading_desc_init);
+    shading_desc.sky_rays = 0;
+    EXPECT_FAILS(shade(items[0], &shading_desc), HRBFNPR_STATUS_INVALID_ARGUMENT, "shading_desc.sky_rays is 0");
+    ASSERT_OK(shade(items[0]));
+    const PointSet other = generate(context, model, desc);
+    items[0].shading = shading.get();
+    items[0].point_set = other.get();
+    Drawing drawing;
+    EXPECT_FAILS(try_to_draw(renderer, items[0], camera, drawing, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "items[0].shading was made for another point set");
+    for (hrbfnpr_item& item : items) item.line_set = nullptr;
+    hrbfnpr_occluders* none = nullptr;
+    EXPECT_FAILS(hrbfnpr_occluders_create(context.get(), items.data(), 2, 0, nullptr, &none, error),
+                 HRBFNPR_STATUS_INVALID_ARGUMENT, "items have no line_set");
+}
+
+} // namespace
+} // namespace api_test::shading_test
