@@ -108,6 +108,18 @@ GROUPS = {
         Option("light", "style.light", "direction", "X,Y,Z", "direction towards the light (default: -0.4,0.6,0.7)"),
         choice("light_space", "style.light_space", "whether the light stands in the world or moves with the camera "
                "(default: camera)"),  # fmt: skip
+        number("shadow", "style.light_shadow", "X", "how dark the shadows are that the light casts; 0 to 1 (default: 0 = "
+               "it casts none)"),  # fmt: skip
+        number("softness", "style.light_softness", "RADIANS", "radius of the light as it is seen from the surface; larger "
+               "is softer shadows; 0 to 0.5 (default: 0 = sharp borders)"),  # fmt: skip
+        number("occlusion", "style.ambient", "X", "share of the light that comes from the sky and the ground, which hollows "
+               "see less of; 0 to 1 (default: from the style)"),  # fmt: skip
+        number("rim_light", "style.rim_light", "X", "strength of a light that makes contours lighter; 0 to 16 (default: "
+               "0)"),  # fmt: skip
+        number("steps", "style.tone_steps", "N", "number of flat tones, 2 to 6 (default: 0 = continuous tones)"),
+        number("black_point", "style.tone_black", "X", "light that is drawn as black (default: 0)"),
+        number("white_point", "style.tone_white", "X", "light that is drawn as white (default: 1)"),
+        number("gamma", "style.tone_gamma", "X", "exponent of the tone law; larger is darker mid-tones (default: 1)"),
         Option("depth_range", "", "interval", "MIN,MAX", "distances from the camera between which marks fade out, with "
                "0 < MIN < MAX (default: they do not)"),  # fmt: skip
         number("zoom_reference", "style.zoom_reference", "X", "pixels per unit of the model from which all marks are "

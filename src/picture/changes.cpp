@@ -20,7 +20,8 @@ namespace {
 constexpr std::string_view layers_part = "layers";
 constexpr std::string_view lines_part = "lines";
 
-enum class Special : std::uint8_t { none, ink };
+// Texts that change several fields.
+enum class Special : std::uint8_t { none, ink, ambient };
 
 // The struct and the field that a path names.
 struct ChangeTarget {
@@ -52,7 +53,7 @@ struct ChangeTarget {
 
 [[nodiscard]] Special special_of(std::string_view section, std::string_view field) noexcept {
     if (section != "style") return Special::none;
-    return field == "ink" ? Special::ink : Special::none;
+    return field == "ink" ? Special::ink : field == "ambient" ? Special::ambient : Special::none;
 }
 
 // Finds the struct and field for a path that has only small letters and '_'.
@@ -81,6 +82,8 @@ struct ChangeTarget {
         target.record = Record::mesh_fit_desc;
     else if (section == "line_set")
         target.record = Record::line_set_desc;
+    else if (section == "shading")
+        target.record = Record::shading_desc;
     else
         target.has_section = false;
     if (dot == std::string_view::npos) target.has_section = false;
@@ -96,6 +99,8 @@ struct ChangeTarget {
 // Returns the field that stands for the path "style.ink": its value is parsed and checked like the value of
 // silhouette_ink.
 [[nodiscard]] const NamedField& ink_field() noexcept { return *find_field(Record::style, "silhouette_ink"); }
+// Returns the field that stands for the path "style.ambient", whose value is a number, too.
+[[nodiscard]] const NamedField& ambient_field() noexcept { return *find_field(Record::style, "ambient_sky"); }
 
 [[noreturn]] void refuse_kind(const ChangeTarget& target, const char* name, std::string_view path, Pool& pool) {
     const NamedField* const kinds = find_field(target.is_of_style ? Record::layer_style : Record::layer_desc, "kind");
@@ -129,11 +134,13 @@ void check_change(const ChangeTarget& target, const char* name, std::string_view
                   Pool& pool) {
     if (!target.has_section)
         fail(Status::invalid_argument,
-             "%s.field is \"%.*s\"; it must begin with one of style., fit., mesh_fit., marks., line_set.", name,
-             static_cast<int>(path.size()), path.data());
+             "%s.field is \"%.*s\"; it must begin with one of style., fit., mesh_fit., marks., line_set., shading.",
+             name, static_cast<int>(path.size()), path.data());
     if (!target.wrong_kind.empty()) refuse_kind(target, name, path, pool);
     if (target.field == nullptr && target.special == Special::none) refuse_field(target, name, path, pool);
-    const NamedField& field = target.special == Special::ink ? ink_field() : *target.field;
+    const NamedField& field = target.special == Special::ink       ? ink_field()
+                              : target.special == Special::ambient ? ambient_field()
+                                                                   : *target.field;
     if (field.meaning == Meaning::text || parse_value(field, value)) return;
     if (is_regularization(target) && same_name(value, "auto")) return;
     String wanted = wanted_for(field, pool);
@@ -246,9 +253,9 @@ bool Changes::is_callers(std::string_view path) const noexcept {
 std::optional<double> Changes::number(std::string_view path) const noexcept {
     const std::optional<std::string_view> text = value(path);
     const ChangeTarget target = find_target(path);
-    if (!text || target.field == nullptr || target.field->count != 1 || target.field->meaning == Meaning::text)
-        return std::nullopt;
-    const std::optional<FieldValue> found = parse_value(*target.field, *text);
+    const NamedField* const field = target.special == Special::ambient ? &ambient_field() : target.field;
+    if (!text || field == nullptr || field->count != 1 || field->meaning == Meaning::text) return std::nullopt;
+    const std::optional<FieldValue> found = parse_value(*field, *text);
     if (!found) return std::nullopt;
     return found->numbers[0];
 }

@@ -56,6 +56,8 @@ enum class Record : std::uint8_t {
     generate_desc,
     layer_desc,
     line_set_desc,
+    shading_desc,
+    light,
     line_desc,
     page_desc
 };

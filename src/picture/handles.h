@@ -64,6 +64,8 @@ private:
 using Model = Handle<hrbfnpr_model, hrbfnpr_model_retain, hrbfnpr_model_release>;
 using PointSet = Handle<hrbfnpr_point_set, hrbfnpr_point_set_retain, hrbfnpr_point_set_release>;
 using LineSet = Handle<hrbfnpr_line_set, hrbfnpr_line_set_retain, hrbfnpr_line_set_release>;
+using Occluders = Handle<hrbfnpr_occluders, hrbfnpr_occluders_retain, hrbfnpr_occluders_release>;
+using Shading = Handle<hrbfnpr_shading, hrbfnpr_shading_retain, hrbfnpr_shading_release>;
 using Mesh = Handle<hrbfnpr_mesh, hrbfnpr_mesh_retain, hrbfnpr_mesh_release>;
 using Drawing = Handle<hrbfnpr_drawing, hrbfnpr_drawing_retain, hrbfnpr_drawing_release>;
 using Renderer = Handle<hrbfnpr_renderer, hrbfnpr_renderer_retain, hrbfnpr_renderer_release>;

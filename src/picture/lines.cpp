@@ -354,9 +354,10 @@ Vector<LinesOnce> lines_found_once(const Call& call, const hrbfnpr_model& model,
 }
 
 LineSet make_lines(const Call& call, const Surface& surface, const Style& style, const Vector<WantedLine>& wanted,
-                   const Vector<LinesOnce>& more) {
+                   const Vector<LinesOnce>& more, bool casts) {
     HRBFNPR_ASSERT(surface.model);
-    if (style.base.visibility == HRBFNPR_VISIBILITY_PUBLISHED || (style.lines.empty() && more.empty())) return {};
+    const bool has_lines = !style.lines.empty() || !more.empty();
+    if (style.base.visibility == HRBFNPR_VISIBILITY_PUBLISHED || (!has_lines && !casts)) return {};
     const hrbfnpr_model& model = *surface.model.get();
     const bool has_faces = surface.shape != nullptr && surface.shape->is_mesh();
     const bool is_sharp = wants_kind(wanted, HRBFNPR_LINE_KIND_CREASE);

@@ -46,9 +46,10 @@ struct LinesOnce {
                                                  const Vector<WantedLine>& wanted);
 
 // Makes the line set for the lines of a style and for `more` lines, such as the section of a plate. Returns a null
-// handle if the picture needs no line set.
+// handle if the picture needs no line set. `casts`: the surface of the line set casts shadows, even if there are no
+// lines.
 [[nodiscard]] LineSet make_lines(const Call& call, const Surface& surface, const Style& style,
-                                 const Vector<WantedLine>& wanted, const Vector<LinesOnce>& more);
+                                 const Vector<WantedLine>& wanted, const Vector<LinesOnce>& more, bool casts);
 
 // Returns the sharp edges of a mesh, joined to polylines. An edge is sharp if its faces meet at more than `angle`
 // degrees, as in hrbfnpr_mesh_edges. A polyline continues through a vertex where exactly two sharp edges meet. Open

@@ -13,6 +13,7 @@
 #include "picture/mesh_surface.h"
 #include "picture/plate.h"
 #include "picture/points.h"
+#include "picture/shade.h"
 #include "picture/up.h"
 #include "picture/wanted_lines.h"
 
@@ -208,7 +209,7 @@ void trace_lines(hrbfnpr_picture& picture, const Call& call, std::size_t i) {
     const bool is_mesh = surface.shape != nullptr && surface.shape->is_mesh();
     const Vector<WantedLine> wanted = wanted_lines(call, style, is_mesh);
     const Vector<LinesOnce> section = section_lines(call, surface.model, picture.camera);
-    picture.parts[i].lines = make_lines(call, surface, style, wanted, section);
+    picture.parts[i].lines = make_lines(call, surface, style, wanted, section, needs_shading(style));
 }
 
 // Traces the lines of all parts. Lines of a section are valid for this camera only.
@@ -218,8 +219,8 @@ void trace_all_lines(hrbfnpr_picture& picture, const Call& call) {
                     [](const Surface& surface) { return surface.shape != nullptr && surface.shape->is_mesh(); });
     const bool is_shared = !has_section(call.options);
     const String key = key_of_lines(call, *picture.style, wanted_lines(call, *picture.style, is_mesh));
-    const bool is_drawn =
-        picture.style->base.visibility != HRBFNPR_VISIBILITY_PUBLISHED && !picture.style->lines.empty();
+    const bool is_drawn = picture.style->base.visibility != HRBFNPR_VISIBILITY_PUBLISHED &&
+                          (!picture.style->lines.empty() || needs_shading(*picture.style));
     if (is_shared && is_drawn) {
         if (const std::optional<Vector<Part>> before = find_made_lines(picture, key)) {
             for (std::size_t i = 0; i < picture.parts.size(); ++i) picture.parts[i].lines = (*before)[i].lines;
@@ -337,9 +338,9 @@ bool is_planned_camera(const hrbfnpr_picture& picture, const hrbfnpr_camera& cam
            std::equal(camera.viewport, camera.viewport + 4, planned.viewport);
 }
 
-// `with_all_marks`: whether a still picture is drawn with all marks.
-Drawing draw(hrbfnpr_picture& picture, const hrbfnpr_camera& camera, bool with_all_marks,
-             hrbfnpr_operation* operation) {
+// Returns the items of a drawing, without their shadings. `with_all_marks`: whether a still picture is drawn with all
+// marks.
+Vector<hrbfnpr_item> items_of(hrbfnpr_picture& picture, bool with_all_marks) {
     Vector<hrbfnpr_item> items(&picture.pool);
     for (const Part& part : picture.parts) {
         auto& item = items.emplace_back(defaults<hrbfnpr_item>(hrbfnpr_item_init));
@@ -348,6 +349,29 @@ Drawing draw(hrbfnpr_picture& picture, const hrbfnpr_camera& camera, bool with_a
         item.style = &picture.style_view;
         item.sides = part.sides;
     }
+    return items;
+}
+
+// Finds the light that reaches the marks, if the style needs that and it is not known for this camera.
+void shade(hrbfnpr_picture& picture, const hrbfnpr_camera& camera, bool with_all_marks) {
+    if (!needs_shading(*picture.style) || picture.parts.empty()) return;
+    const Vector<hrbfnpr_item> items = items_of(picture, with_all_marks);
+    const Call call = picture.call();
+    if (!picture.occluders) picture.occluders = make_occluders(call, items);
+    if (!picture.occluders) return;
+    ShadedMarks& shaded = with_all_marks ? picture.shaded_whole : picture.shaded;
+    const bool is_current = !shaded.of_part.empty() && (!shadows_follow_camera(*picture.style) ||
+                                                        std::equal(camera.view, camera.view + 16, shaded.view.begin()));
+    if (is_current) return;
+    shaded.of_part = make_shadings(call, picture.occluders, items, camera, shaded.of_part);
+    std::copy(camera.view, camera.view + 16, shaded.view.begin());
+}
+
+Drawing draw(hrbfnpr_picture& picture, const hrbfnpr_camera& camera, bool with_all_marks,
+             hrbfnpr_operation* operation) {
+    Vector<hrbfnpr_item> items = items_of(picture, with_all_marks);
+    const ShadedMarks& shaded = with_all_marks ? picture.shaded_whole : picture.shaded;
+    for (std::size_t i = 0; i < shaded.of_part.size(); ++i) items[i].shading = shaded.of_part[i].get();
     return make<Drawing>([&](hrbfnpr_drawing** made, hrbfnpr_error* error) {
         return hrbfnpr_renderer_draw_with_operation(picture.renderer.get(), items.data(),
                                                     static_cast<std::int64_t>(items.size()), sizeof(hrbfnpr_item),
@@ -358,7 +382,10 @@ Drawing draw(hrbfnpr_picture& picture, const hrbfnpr_camera& camera, bool with_a
 // Fails because almost nothing of a drawing can be seen; `ink` is what can be seen. The marks of a still picture do not
 // tell why, so it is drawn with all marks.
 [[noreturn]] void fail_as_blank(hrbfnpr_picture& picture, Drawing drawing, double ink) {
-    if (picture.is_still()) complete_marks(picture);
+    if (picture.is_still()) {
+        complete_marks(picture);
+        shade(picture, picture.camera, true);
+    }
     Stage stage(picture.report, HRBFNPR_STAGE_FRAME);
     if (picture.is_still()) drawing = draw(picture, picture.camera, true, stage.operation());
     const Blank blank = why_blank(drawing, ink, picture.bounds(), picture.camera, picture.style_view,
@@ -410,6 +437,7 @@ hrbfnpr_drawing* draw_picture(hrbfnpr_picture& picture, const hrbfnpr_camera* ca
     Drawing drawing;
     const bool is_other_camera = camera != nullptr && picture.is_still() && !is_planned_camera(picture, *camera);
     if (is_other_camera) complete_marks(picture);
+    shade(picture, camera != nullptr ? *camera : picture.camera, is_other_camera);
     std::optional<double> blank_ink;
     {
         Stage stage(picture.report, HRBFNPR_STAGE_FRAME);

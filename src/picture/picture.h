@@ -23,6 +23,7 @@
 
 #include "api/handles.h"
 
+#include <array>
 #include <mutex>
 
 struct hrbfnpr_settings : hrbfnpr::api::Child {
@@ -55,6 +56,14 @@ struct Part {
     std::uint32_t sides = HRBFNPR_SIDES_FRONT;
 };
 
+// The light that reaches the marks of each part.
+struct ShadedMarks {
+    explicit ShadedMarks(Pool& pool) : of_part(&pool) {}
+
+    Vector<Shading> of_part;       // empty if it is not known
+    std::array<double, 16> view{}; // the view matrix of the camera whose lights cast the shadows
+};
+
 // Marks and lines that pictures of the same surfaces reuse.
 struct MadeParts {
     explicit MadeParts(Pool& pool) : still_key(&pool), lines_key(&pool), parts(&pool) {}
@@ -74,7 +83,7 @@ struct hrbfnpr_picture : hrbfnpr::api::Child {
         : Child(context), root_(root), settings_(desc.settings), pool(context.runtime.memory),
           options(desc, settings_ != nullptr ? settings_->settings : nullptr, pool),
           report(pool, desc.wording, desc.on_event, desc.event_user, context, nullptr), own_surfaces(pool),
-          parts(&pool), made(&pool) {}
+          parts(&pool), shaded(pool), shaded_whole(pool), made(&pool) {}
 
     [[nodiscard]] const hrbfnpr_picture& root() const noexcept { return root_ != nullptr ? *root_ : *this; }
     [[nodiscard]] const hrbfnpr::picture::Surfaces& surfaces() const noexcept { return root().own_surfaces; }
@@ -103,6 +112,10 @@ public:
     std::optional<hrbfnpr::picture::Marks> marks; // the planned marks; empty if marks were given
     hrbfnpr_generate_desc marks_view{};
     hrbfnpr::picture::Vector<hrbfnpr::picture::Part> parts;
+    // What casts shadows, and the light that reaches the marks, and all marks of a still picture. Null and empty if the
+    // style needs none.
+    hrbfnpr::picture::Occluders occluders;
+    hrbfnpr::picture::ShadedMarks shaded, shaded_whole;
     hrbfnpr::picture::Renderer renderer;
     double pen = 0.0;
     double seconds = 0.0;

@@ -26,7 +26,7 @@ struct OptionName {
 };
 
 // The options that differ in name from their field.
-constexpr std::array<OptionName, 20> option_names{
+constexpr std::array<OptionName, 21> option_names{
     OptionName{"allow_blank", "HRBFNPR_PICTURE_ALLOW_BLANK"},
     OptionName{"close", "HRBFNPR_PICTURE_CLOSE"},
     OptionName{"crease", "crease_angle"},
@@ -38,6 +38,7 @@ constexpr std::array<OptionName, 20> option_names{
     OptionName{"light", "style.light"},
     OptionName{"mark_radius", "pen"},
     OptionName{"max_centres", "maximum_centres"},
+    OptionName{"occlusion", "style.ambient"},
     OptionName{"outliers", "fit.outliers"},
     OptionName{"page", "paper"},
     OptionName{"page_margin", "paper_margin"},
@@ -259,7 +260,7 @@ struct StageWords {
     double share; // the stage's share of the remaining progress
 };
 
-constexpr std::array<StageWords, HRBFNPR_STAGE_VIEWS + 1> stage_words{{{"", "", 0.0},
+constexpr std::array<StageWords, HRBFNPR_STAGE_SHADE + 1> stage_words{{{"", "", 0.0},
                                                                        {"mesh", "checking the mesh", 0.1},
                                                                        {"sample", "sampling", 0.05},
                                                                        {"orient", "orienting normals", 0.2},
@@ -270,7 +271,8 @@ constexpr std::array<StageWords, HRBFNPR_STAGE_VIEWS + 1> stage_words{{{"", "", 
                                                                        {"place marks", "placing marks", 0.6},
                                                                        {"trace lines", "tracing lines", 0.8},
                                                                        {"frame", "drawing", 0.9},
-                                                                       {"views", "drawing views", 0.9}}};
+                                                                       {"views", "drawing views", 0.9},
+                                                                       {"shade", "finding shadows", 0.85}}};
 
 const StageWords& words_of(std::uint32_t stage) noexcept { return stage_words[stage < stage_words.size() ? stage : 0]; }
 

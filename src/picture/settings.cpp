@@ -99,9 +99,10 @@ template <std::size_t count>
 // A section of the file: the fields of a struct, and keys that are not plain fields.
 struct SettingsSection {
     Record record;
-    std::array<std::string_view, 2> more; // the names of the keys that are not plain fields; "" if there are fewer
+    std::array<std::string_view, 3> more; // the names of the keys that are not plain fields; "" if there are fewer
 };
-constexpr SettingsSection style_section{Record::style, {"layers", "lines"}};
+constexpr SettingsSection style_section{Record::style, {"layers", "lines", "lights"}};
+constexpr SettingsSection light_section{Record::light, {}};
 constexpr SettingsSection layer_style_section{Record::layer_style, {}};
 constexpr SettingsSection line_style_section{Record::line_style, {"levels"}};
 constexpr SettingsSection marks_section{Record::generate_desc, {"layers"}};
@@ -317,6 +318,15 @@ void read_style(const JsonValue& value, Style& style, Pool& pool) {
                 one, where, [&](const double* first, std::size_t count) { return style.keep_levels(first, count); },
                 pool);
             style.lines.push_back(line);
+        }
+    }
+    if (const std::optional<JsonValue> lights = value.find("lights")) {
+        check_list(*lights, "style.lights", pool);
+        style.lights.clear();
+        for (const JsonValue one : *lights) {
+            auto light = defaults<hrbfnpr_light>(hrbfnpr_light_init);
+            read_record(one, path_of("style.lights", style.lights.size(), pool), light_section, &light, keep, pool);
+            style.lights.push_back(light);
         }
     }
 }

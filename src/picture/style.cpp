@@ -29,7 +29,9 @@ bool style_is_for(const hrbfnpr_layer_style& style, std::uint32_t kind, const ch
 hrbfnpr_style style_without_lists(hrbfnpr_style style) noexcept {
     style.layers = nullptr;
     style.lines = nullptr;
+    style.lights = nullptr;
     style.layer_count = style.layer_stride = style.line_count = style.line_stride = 0;
+    style.light_count = style.light_stride = 0;
     return style;
 }
 
@@ -101,7 +103,8 @@ hrbfnpr_array KeptTexts::numbers(const double* first, std::size_t count, std::ui
 }
 
 Style::Style(Pool& pool)
-    : base(defaults<hrbfnpr_style>(hrbfnpr_style_init)), layers(&pool), lines(&pool), pool_(&pool), kept_(pool) {}
+    : base(defaults<hrbfnpr_style>(hrbfnpr_style_init)), layers(&pool), lines(&pool), lights(&pool), pool_(&pool),
+      kept_(pool) {}
 
 Style::Style(std::uint32_t preset, Pool& pool) : Style(pool) {
     hrbfnpr_style named;
@@ -117,7 +120,8 @@ Style::Style(const hrbfnpr_style& given, Pool& pool) : Style(pool) {
 }
 
 Style::Style(const Style& other, Pool& pool)
-    : base(other.base), layers(other.layers, &pool), lines(other.lines, &pool), pool_(&pool), kept_(pool) {
+    : base(other.base), layers(other.layers, &pool), lines(other.lines, &pool), lights(other.lights, &pool),
+      pool_(&pool), kept_(pool) {
     kept_.hold_all_of(other.kept_);
     for (hrbfnpr_layer_style& layer : layers)
         if (layer.name != nullptr) layer.name = kept_.text(layer.name);
@@ -143,6 +147,9 @@ void Style::take_lists(const hrbfnpr_style& given) {
         hrbfnpr_layer_style& layer = layers.emplace_back(all_layers[i]);
         if (layer.name != nullptr) layer.name = kept_.text(layer.name);
     }
+    const api::List<hrbfnpr_light> all_lights(given.lights, given.light_count, given.light_stride, most_style_elements,
+                                              "style.lights");
+    for (std::int64_t i = 0; i < all_lights.count(); ++i) lights.push_back(all_lights[i]);
     const api::List<hrbfnpr_line_style> all_lines(given.lines, given.line_count, given.line_stride, most_style_elements,
                                                   "style.lines");
     for (std::int64_t i = 0; i < all_lines.count(); ++i) {
@@ -194,6 +201,9 @@ hrbfnpr_style Style::view() const noexcept {
     style.lines = lines.data();
     style.line_count = static_cast<std::int64_t>(lines.size());
     style.line_stride = sizeof(hrbfnpr_line_style);
+    style.lights = lights.data();
+    style.light_count = static_cast<std::int64_t>(lights.size());
+    style.light_stride = sizeof(hrbfnpr_light);
     return style;
 }
 

@@ -34,7 +34,7 @@ private:
     Vector<std::shared_ptr<const void>> held_;
 };
 
-// An hrbfnpr_style that owns its layers, lines, names and levels. It corresponds to the class Style in Python.
+// An hrbfnpr_style that owns its layers, lines, lights, names and levels. It corresponds to the class Style in Python.
 class Style {
 public:
     explicit Style(Pool& pool);                    // a copy of the library's default style
@@ -49,6 +49,7 @@ public:
     hrbfnpr_style base;                 // The style without its lists, which are the members below.
     Vector<hrbfnpr_layer_style> layers; // The layers; their names point to kept texts.
     Vector<hrbfnpr_line_style> lines;   // The lines; their names and levels point to kept texts and numbers.
+    Vector<hrbfnpr_light> lights;
 
     // Returns the element for a kind of layers (HRBFNPR_LAYER_KIND_*). If the element applies to several kinds, a copy
     // for this kind is inserted before it. The reference is valid until `layers` grows.

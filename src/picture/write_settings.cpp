@@ -21,7 +21,8 @@ constexpr std::string_view style_order =
     "hidden_lines visibility silhouette_threshold attenuation_front attenuation_back "
     "splat_radius halo_width splat_overlap tone_rule tone_curve tone_fade light_space tone_exponent fill_light "
     "depth_min depth_max zoom_reference zoom_exponent paper silhouette_ink silhouette_radius silhouette_radius_zoom "
-    "light tone";
+    "light light_intensity light_shadow light_softness ambient_up ambient_sky ambient_ground occlusion "
+    "occlusion_exponent rim_light rim_exponent tone_black tone_white tone_gamma tone_steps tone";
 constexpr std::string_view layer_order =
     "name density_strength separation step start start_level angle smoothing axis_weight guide "
     "guide_weight axis guide_direction density levels tone_smoothing";
@@ -100,7 +101,7 @@ void write_list(JsonDocument& to, std::string_view key, std::span<const double> 
     return {static_cast<const double*>(levels.data), static_cast<std::size_t>(levels.count)};
 }
 
-// Writes a style of layers or of lines: its kind, and the fields that differ from the defaults.
+// Writes a style of layers or of lines, or a light: its kind, and the fields that differ from the defaults.
 template <class Struct>
 void write_kind_style(JsonDocument& to, Record record, const Struct& style, const Struct& base) {
     to.begin(JsonKind::object);
@@ -108,7 +109,9 @@ void write_kind_style(JsonDocument& to, Record record, const Struct& style, cons
     for (const NamedField& field : fields_of(record))
         if (const std::string_view name = field.name; name != "kind" && name != "name")
             write_changed(to, field, &style, &base, true);
-    if (style.name != nullptr) to.key("name").add_text(style.name);
+    if constexpr (requires { style.name; }) {
+        if (style.name != nullptr) to.key("name").add_text(style.name);
+    }
     if constexpr (requires { style.levels; }) {
         if (style.levels.count > 0) write_list(to, "levels", levels_of(style.levels));
     }
@@ -139,6 +142,12 @@ void write_style(JsonDocument& to, const Options& options, const PictureParts& p
     for (const hrbfnpr_line_style& line : parts.style.lines)
         write_kind_style(to, Record::line_style, line, defaults<hrbfnpr_line_style>(hrbfnpr_line_style_init));
     to.end();
+    if (!parts.style.lights.empty() || !base.lights.empty()) {
+        to.key("lights").begin(JsonKind::list);
+        for (const hrbfnpr_light& light : parts.style.lights)
+            write_kind_style(to, Record::light, light, defaults<hrbfnpr_light>(hrbfnpr_light_init));
+        to.end();
+    }
     to.end();
 }
 

@@ -121,7 +121,7 @@ protected:
     LineSet lines_of(const char* text) {
         planned.desc.lines = text;
         const Call call = planned.call();
-        return make_lines(call, surface, style, parse_lines(text, pool), Vector<LinesOnce>(&pool));
+        return make_lines(call, surface, style, parse_lines(text, pool), Vector<LinesOnce>(&pool), false);
     }
     const Vector<Note>& notes() const { return planned.report->notes; }
 

@@ -61,7 +61,8 @@ protected:
         Surface surface;
         surface.model = model;
         const Call call = planned.call();
-        lines = make_lines(call, surface, style, parse_lines("contour", pool), section_lines(call, model, camera));
+        lines =
+            make_lines(call, surface, style, parse_lines("contour", pool), section_lines(call, model, camera), false);
         const auto renderer = make<Renderer>([&](hrbfnpr_renderer** made, hrbfnpr_error* error) {
             return hrbfnpr_renderer_create(planned.context.get(), made, error);
         });

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "picture/shade.h"
+
+#include "picture/make.h"
+#include "picture/report.h"
+
+#include <algorithm>
+
+namespace hrbfnpr::picture {
+
+namespace {
+
+// Calls visit(shadow, space) for each light of a style. Returns whether a call returned true.
+template <class Visit>
+bool any_light(const Style& style, Visit&& visit) noexcept {
+    if (style.lights.empty()) return visit(style.base.light_shadow, style.base.light_space);
+    return std::any_of(style.lights.begin(), style.lights.end(),
+                       [&](const hrbfnpr_light& light) { return visit(light.shadow, light.space); });
+}
+
+} // namespace
+
+bool needs_shading(const Style& style) noexcept {
+    const hrbfnpr_style& base = style.base;
+    if (base.tone != HRBFNPR_TONE_LIGHT || base.visibility == HRBFNPR_VISIBILITY_PUBLISHED) return false;
+    const bool is_occluded = base.occlusion > 0.0F && (base.ambient_sky > 0.0F || base.ambient_ground > 0.0F);
+    return is_occluded || any_light(style, [](float shadow, std::uint32_t) { return shadow > 0.0F; });
+}
+
+bool shadows_follow_camera(const Style& style) noexcept {
+    return any_light(style,
+                     [](float shadow, std::uint32_t space) { return shadow > 0.0F && space == HRBFNPR_LIGHT_CAMERA; });
+}
+
+Occluders make_occluders(const Call& call, std::span<const hrbfnpr_item> items) {
+    if (std::none_of(items.begin(), items.end(), [](const hrbfnpr_item& item) { return item.line_set != nullptr; }))
+        return {};
+    return make<Occluders>([&](hrbfnpr_occluders** made, hrbfnpr_error* error) {
+        return hrbfnpr_occluders_create(&call.context, items.data(), static_cast<std::int64_t>(items.size()),
+                                        sizeof(hrbfnpr_item), nullptr, made, error);
+    });
+}
+
+Vector<Shading> make_shadings(const Call& call, const Occluders& occluders, std::span<const hrbfnpr_item> items,
+                              const hrbfnpr_camera& camera, const Vector<Shading>& previous) {
+    Vector<Shading> shadings(&call.pool);
+    Stage stage(call.report, HRBFNPR_STAGE_SHADE);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        auto desc = defaults<hrbfnpr_shading_desc>(hrbfnpr_shading_desc_init);
+        call.options.changes.apply("shading", desc);
+        if (!previous.empty()) desc.previous = previous[i].get();
+        shadings.push_back(make<Shading>([&](hrbfnpr_shading** made, hrbfnpr_error* error) {
+            return hrbfnpr_shading_create(&call.context, occluders.get(), &items[i], &camera, &desc, stage.operation(),
+                                          made, error);
+        }));
+    }
+    return shadings;
+}
+
+} // namespace hrbfnpr::picture

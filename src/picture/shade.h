@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Occlusion and cast shadows of a picture.
+#pragma once
+
+#include "picture/call.h"
+#include "picture/handles.h"
+#include "picture/memory.h"
+#include "picture/style.h"
+
+#include <span>
+
+namespace hrbfnpr::picture {
+
+// Tells whether a style needs occlusion or cast shadows.
+[[nodiscard]] bool needs_shading(const Style& style) noexcept;
+
+// Tells whether cast shadows move with the camera.
+[[nodiscard]] bool shadows_follow_camera(const Style& style) noexcept;
+
+// Gathers the surfaces of line sets. Returns null without any.
+[[nodiscard]] Occluders make_occluders(const Call& call, std::span<const hrbfnpr_item> items);
+
+// Finds the light that reaches the marks of the items, in the stage SHADE. `previous` has shadings of the same marks
+// for another camera, or is empty.
+[[nodiscard]] Vector<Shading> make_shadings(const Call& call, const Occluders& occluders,
+                                            std::span<const hrbfnpr_item> items, const hrbfnpr_camera& camera,
+                                            const Vector<Shading>& previous);
+
+} // namespace hrbfnpr::picture
