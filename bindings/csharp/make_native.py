@@ -17,6 +17,8 @@ HANDLES = {
     "hrbfnpr_point_set": "PointSetHandle",
     "hrbfnpr_line_set": "LineSetHandle",
     "hrbfnpr_mesh": "MeshHandle",
+    "hrbfnpr_occluders": "OccludersHandle",
+    "hrbfnpr_shading": "ShadingHandle",
     "hrbfnpr_renderer": "RendererHandle",
     "hrbfnpr_drawing": "DrawingHandle",
     "hrbfnpr_picture": "PictureHandle",

@@ -46,9 +46,13 @@ namespace HrbfNpr.Tests
                 Cancelled(() => model.StepPatches(3, cancellationToken: token));
                 Cancelled(() => model.LineSet(cancellationToken: token));
                 using (PointSet marks = model.Generate(Shapes.Stipples(50)))
+                using (LineSet lines = model.LineSet())
+                using (var occluders = new Occluders(new Item(marks) { LineSet = lines }))
                 using (var renderer = new Renderer())
                 {
                     Camera camera = Shapes.Look(marks, 32);
+                    Cancelled(() => new Occluders(new Item(marks) { LineSet = lines }, cancellationToken: token));
+                    Cancelled(() => new Shading(occluders, new Item(marks), cancellationToken: token));
                     Cancelled(() => renderer.Draw(new Item(marks), camera, cancellationToken: token));
                     Cancelled(() => renderer.Draw(new[] { new Item(marks) }, camera, null, token));
                     var reports = new Reports();

@@ -151,7 +151,10 @@ namespace HrbfNpr.Tests
                 "flags", "line_count", "line_stride"));
             faults.AddRange(Unseen(typeof(hrbfnpr_line_style), typeof(LineStyle)));
             faults.AddRange(Unseen(typeof(hrbfnpr_style), typeof(Style),
-                "tone_user", "layer_count", "layer_stride", "line_count", "line_stride"));
+                "tone_user", "layer_count", "layer_stride", "line_count", "line_stride", "light_count",
+                "light_stride"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_light), typeof(Light)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_shading_desc), typeof(ShadingOptions)));
             faults.AddRange(Unseen(typeof(hrbfnpr_layer_pose), typeof(LayerPose)));
             faults.AddRange(Unseen(typeof(hrbfnpr_item), typeof(Item), "pose_count", "pose_stride"));
             faults.AddRange(Unseen(typeof(hrbfnpr_raster_desc), typeof(RasterOptions), "flags"));

@@ -239,13 +239,16 @@ namespace HrbfNpr.Tests
             using (Model model = Shapes.FitSphere(context))
             using (PointSet marks = Shapes.Stipple(model, 20, context))
             using (LineSet lines = model.LineSet(Coarse, context))
+            using (var occluders = new Occluders(new Item(marks) { LineSet = lines }, context))
+            using (var shading = new Shading(occluders, marks, null, null, context))
             using (var renderer = new Renderer(context))
             using (NativeView view = marks.Layers[0].View(MarkAttribute.Position))
             using (Model function = Model.FromFunction((p, v, g, h) => { }, (0, 0, 0), (1, 1, 1), null, context))
             using (var other = new Context(new ContextOptions { ThreadCount = 1, Log = (level, message) => { } }))
             {
                 Shapes.Draw(renderer, marks, Shapes.Look(marks, 8));
-                Shapes.Draw(renderer, new Item(marks, Contours) { LineSet = lines }, Shapes.Look(marks, 8));
+                var item = new Item(marks, Contours) { LineSet = lines, Shading = shading };
+                Shapes.Draw(renderer, item, Shapes.Look(marks, 8));
                 model.Evaluate(Shapes.Sphere6, progress: new Reports());
             }
         }
@@ -262,7 +265,9 @@ namespace HrbfNpr.Tests
                 Drawing drawing = renderer.Draw(marks, Shapes.Look(marks, 8));
                 NativeView view = marks.Layers[0].View(MarkAttribute.Rank);
                 LineSet lines = model.LineSet(Coarse, context);
-                object[] all = { model, marks, renderer, drawing, view, lines };
+                var occluders = new Occluders(new Item(marks) { LineSet = lines }, context);
+                var shading = new Shading(occluders, marks, null, null, context);
+                object[] all = { model, marks, renderer, drawing, view, lines, occluders, shading };
                 kept.AddRange(i % 2 == 0 ? all : all.Reverse());
             }
         }

@@ -136,7 +136,17 @@ namespace HrbfNpr
         Published = 1,
     }
 
-    /// <summary>The space in which the direction to the light is given.</summary>
+    /// <summary>Where a light comes from.</summary>
+    [NativeConstants("HRBFNPR_LIGHT_KIND_")]
+    public enum LightKind
+    {
+        /// <summary>From far away, everywhere from the same direction (default).</summary>
+        Directional = 0,
+        /// <summary>From a place.  The strength of the light does not fall with the distance.</summary>
+        Place = 1,
+    }
+
+    /// <summary>The space in which the direction to a light, or its place, is given.</summary>
     [NativeConstants("HRBFNPR_LIGHT_")]
     public enum LightSpace
     {
@@ -144,6 +154,8 @@ namespace HrbfNpr
         World = 0,
         /// <summary>Eye space: the light moves with the camera (default).</summary>
         Camera = 1,
+        /// <summary>Object space: the light moves with the item.</summary>
+        Item = 2,
     }
 
     /// <summary>How a mark faces the camera [NPAR 6].</summary>

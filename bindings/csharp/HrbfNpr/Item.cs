@@ -80,6 +80,12 @@ namespace HrbfNpr
         /// <remarks>Items without a line set hide no lines.  It must be null if there are poses.</remarks>
         public LineSet LineSet { get; set; }
 
+        /// <summary>
+        /// How much light reaches the marks past the surfaces of all items; default null = all.
+        /// </summary>
+        /// <remarks>It must be that of the same point set, and null if there are poses.</remarks>
+        public Shading Shading { get; set; }
+
         /// <summary>The sides on which marks are drawn; default Front.</summary>
         /// <remarks>
         /// Both sides are for a surface that ends, such as a bowl or a leaf.  Where the other side faces the camera,

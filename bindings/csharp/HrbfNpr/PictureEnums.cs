@@ -126,6 +126,8 @@ namespace HrbfNpr
         Frame = 10,
         /// <summary>Draws the views of a sheet.</summary>
         Views = 11,
+        /// <summary>Finds occlusion and cast shadows.</summary>
+        Shade = 12,
     }
 
     /// <summary>How much a note matters.</summary>

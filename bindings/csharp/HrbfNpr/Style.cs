@@ -32,6 +32,7 @@ namespace HrbfNpr
             Errors.Check(NativeMethods.hrbfnpr_style_init(&style, (uint)sizeof(hrbfnpr_style)));
             Layers = new List<LayerStyle>();
             Lines = new List<LineStyle>();
+            Lights = new List<Light>();
             Read(&style);
         }
 
@@ -57,6 +58,15 @@ namespace HrbfNpr
                 line += stride != 0 ? stride : ((hrbfnpr_line_style*)style->lines)->struct_size;
             }
             Lines = lines;
+            var lights = new List<Light>();
+            byte* light = (byte*)style->lights;
+            for (long i = 0; i < style->light_count; ++i)
+            {
+                long stride = style->light_stride;
+                lights.Add(new Light((hrbfnpr_light*)light));
+                light += stride != 0 ? stride : ((hrbfnpr_light*)style->lights)->struct_size;
+            }
+            Lights = lights;
             Read(style);
             if (style->tone_function == ToneState.Function)
             {
@@ -80,6 +90,11 @@ namespace HrbfNpr
             {
                 Lines.Add(line.Clone());
             }
+            Lights = new List<Light>();
+            foreach (Light light in other.Lights)
+            {
+                Lights.Add(light.Clone());
+            }
             hrbfnpr_style style;
             other.Write(&style);
             Read(&style);
@@ -98,6 +113,19 @@ namespace HrbfNpr
         /// <see cref="HrbfNpr.Visibility.DepthLayers"/>; all presets except Stipple have some.
         /// </summary>
         public IList<LineStyle> Lines { get; }
+
+        /// <summary>
+        /// Up to 8 lights, whose sum is the light of a mark; default empty = one directional light with
+        /// <see cref="Light"/>, <see cref="LightSpace"/>, <see cref="LightIntensity"/>, <see cref="LightShadow"/> and
+        /// <see cref="LightSoftness"/>, which the list replaces.  The first one is the light of isophotes and of
+        /// <see cref="LineStyle.LitFactor"/>.
+        /// </summary>
+        /// <remarks>
+        /// For Tone.Light with Visibility.DepthLayers and ToneRule.Share.  The tone law makes tau of the light s: tau =
+        /// t^<see cref="ToneGamma"/>, where t = (s - <see cref="ToneBlack"/>) / (<see cref="ToneWhite"/> -
+        /// <see cref="ToneBlack"/>), clamped to 0 to 1.
+        /// </remarks>
+        public IList<Light> Lights { get; }
 
         /// <summary>How ink behind a nearer surface is drawn; default Attenuate.</summary>
         public HiddenLines HiddenLines { get; set; }
@@ -166,10 +194,64 @@ namespace HrbfNpr
         public double ToneExponent { get; set; }
 
         /// <summary>
-        /// Strength of a light from the side opposite to <see cref="Light"/>, which lets the unlit side keep its form;
-        /// 0 to 1; default 0.25.
+        /// Strength of a light from the side opposite to <see cref="Light"/>, or to the first of <see cref="Lights"/>,
+        /// which lets the unlit side keep its form; 0 to 1; default 0.25.
         /// </summary>
         public float FillLight { get; set; }
+
+        /// <summary>Direction to the sky, in world space, of any length but 0; default (0, 1, 0).</summary>
+        public Vector3d AmbientUp { get; set; }
+
+        /// <summary>
+        /// Light where the surface faces the sky; 0 to 16; default 0.  Ambient light is a mean of the light from the
+        /// sky, weighted by (1 + n . up) / 2, and that from the ground.
+        /// </summary>
+        public float AmbientSky { get; set; }
+
+        /// <summary>Light where the surface faces the ground; 0 to 16; default 0.</summary>
+        public float AmbientGround { get; set; }
+
+        /// <summary>
+        /// Share of the ambient light that is lost where no sky is seen; 0 to 1; default 1.
+        /// </summary>
+        /// <remarks>It has an effect on items with an <see cref="Item.Shading"/>.</remarks>
+        public float Occlusion { get; set; }
+
+        /// <summary>
+        /// Ambient light is multiplied by the share of the sky that is seen to this power; above 0, up to 16; default
+        /// 1.5.  Larger: hollows are darker.
+        /// </summary>
+        public float OcclusionExponent { get; set; }
+
+        /// <summary>
+        /// Strength of a light on contours, which adds RimLight * (1 - |n . v|)^<see cref="RimExponent"/>, where v
+        /// points to the eye; 0 to 16; default 0.
+        /// </summary>
+        public float RimLight { get; set; }
+
+        /// <summary>
+        /// Exponent of the rim light; above 0, up to 64; default 3.  Larger: the light rim is narrower.
+        /// </summary>
+        public float RimExponent { get; set; }
+
+        /// <summary>Light that is drawn as black; -16 to 16; default 0.</summary>
+        public float ToneBlack { get; set; }
+
+        /// <summary>
+        /// Light that is drawn as white; above <see cref="ToneBlack"/>, up to 16; default 1.
+        /// </summary>
+        public float ToneWhite { get; set; }
+
+        /// <summary>
+        /// Exponent of the tone law; above 0, up to 16; default 1.  Larger: mid-tones are darker.
+        /// </summary>
+        public float ToneGamma { get; set; }
+
+        /// <summary>
+        /// Number of flat tones, from black to white; 2 to 6; default 0 = continuous tones.  All steps have the same
+        /// size.
+        /// </summary>
+        public uint ToneSteps { get; set; }
 
         /// <summary>
         /// The function of <see cref="HrbfNpr.Tone.Callback"/>, which runs on the thread that draws; default null.  If
@@ -185,8 +267,27 @@ namespace HrbfNpr
         /// <summary>Space of <see cref="Light"/>; default Camera.</summary>
         public LightSpace LightSpace { get; set; }
 
-        /// <summary>Direction to the light, of any length but 0; default (-0.4, 0.6, 0.7).</summary>
+        /// <summary>
+        /// Direction to the light, of any length but 0; default (-0.4, 0.6, 0.7).  <see cref="Lights"/> replace it.
+        /// </summary>
         public Vector3d Light { get; set; }
+
+        /// <summary>
+        /// Strength of the light; 0 to 16; default 1 = a surface that faces the light is white.
+        /// </summary>
+        public float LightIntensity { get; set; }
+
+        /// <summary>
+        /// Share of its light that its cast shadows take away; 0 to 1; default 0 = it casts none.
+        /// </summary>
+        /// <remarks>It has an effect on items with an <see cref="Item.Shading"/>.</remarks>
+        public float LightShadow { get; set; }
+
+        /// <summary>
+        /// Radius of the light as it is seen from the surface, in radians; 0 to 0.5; default 0 = shadows with sharp
+        /// borders.
+        /// </summary>
+        public float LightSoftness { get; set; }
 
         /// <summary>Colour of silhouette marks, with Visibility.Published; default black.</summary>
         public Color SilhouetteInk { get; set; }
@@ -280,7 +381,7 @@ namespace HrbfNpr
             return new Style(this);
         }
 
-        /// <summary>Writes everything except the layers, the lines and the tone function.</summary>
+        /// <summary>Writes everything except the layers, the lines, the lights and the tone function.</summary>
         internal void Write(hrbfnpr_style* style)
         {
             Errors.Check(NativeMethods.hrbfnpr_style_init(style, (uint)sizeof(hrbfnpr_style)));
@@ -298,8 +399,22 @@ namespace HrbfNpr
             style->tone_fade = ToneFade;
             style->tone_exponent = ToneExponent;
             style->fill_light = FillLight;
+            *(Vector3d*)style->ambient_up = AmbientUp;
+            style->ambient_sky = AmbientSky;
+            style->ambient_ground = AmbientGround;
+            style->occlusion = Occlusion;
+            style->occlusion_exponent = OcclusionExponent;
+            style->rim_light = RimLight;
+            style->rim_exponent = RimExponent;
+            style->tone_black = ToneBlack;
+            style->tone_white = ToneWhite;
+            style->tone_gamma = ToneGamma;
+            style->tone_steps = ToneSteps;
             style->light_space = (uint)LightSpace;
             *(Vector3d*)style->light = Light;
+            style->light_intensity = LightIntensity;
+            style->light_shadow = LightShadow;
+            style->light_softness = LightSoftness;
             SilhouetteInk.Write(style->silhouette_ink);
             style->silhouette_radius = SilhouetteRadius;
             style->silhouette_radius_zoom = SilhouetteRadiusZoom;
@@ -326,8 +441,22 @@ namespace HrbfNpr
             ToneFade = style->tone_fade;
             ToneExponent = style->tone_exponent;
             FillLight = style->fill_light;
+            AmbientUp = *(Vector3d*)style->ambient_up;
+            AmbientSky = style->ambient_sky;
+            AmbientGround = style->ambient_ground;
+            Occlusion = style->occlusion;
+            OcclusionExponent = style->occlusion_exponent;
+            RimLight = style->rim_light;
+            RimExponent = style->rim_exponent;
+            ToneBlack = style->tone_black;
+            ToneWhite = style->tone_white;
+            ToneGamma = style->tone_gamma;
+            ToneSteps = style->tone_steps;
             LightSpace = (LightSpace)style->light_space;
             Light = *(Vector3d*)style->light;
+            LightIntensity = style->light_intensity;
+            LightShadow = style->light_shadow;
+            LightSoftness = style->light_softness;
             SilhouetteInk = Color.Read(style->silhouette_ink);
             SilhouetteRadius = style->silhouette_radius;
             SilhouetteRadiusZoom = style->silhouette_radius_zoom;

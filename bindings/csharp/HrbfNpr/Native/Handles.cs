@@ -193,6 +193,22 @@ namespace HrbfNpr
         }
     }
 
+    internal sealed class OccludersHandle : NativeHandle
+    {
+        protected override void Free(IntPtr value)
+        {
+            NativeMethods.hrbfnpr_occluders_release(value);
+        }
+    }
+
+    internal sealed class ShadingHandle : NativeHandle
+    {
+        protected override void Free(IntPtr value)
+        {
+            NativeMethods.hrbfnpr_shading_release(value);
+        }
+    }
+
     internal sealed class SettingsHandle : NativeHandle
     {
         protected override void Free(IntPtr value)

@@ -245,6 +245,8 @@ namespace HrbfNpr
             double* origin, double* direction, double* up, double vertical_angle, double width, double height,
             double margin, hrbfnpr_error* error);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_light_init(hrbfnpr_light* light, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint struct_size);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint struct_size);
@@ -268,6 +270,24 @@ namespace HrbfNpr
         internal static extern int hrbfnpr_layer_pose_init(hrbfnpr_layer_pose* pose, uint struct_size);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_item_init(hrbfnpr_item* item, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_occluders_create(ContextHandle context, hrbfnpr_item* items,
+            long item_count, long item_stride, OperationHandle operation, out IntPtr out_occluders,
+            hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_occluders_retain(IntPtr occluders);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_occluders_release(IntPtr occluders);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_shading_desc_init(hrbfnpr_shading_desc* desc, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_shading_create(ContextHandle context, OccludersHandle occluders,
+            hrbfnpr_item* item, hrbfnpr_camera* camera, hrbfnpr_shading_desc* desc, OperationHandle operation,
+            out IntPtr out_shading, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_shading_retain(IntPtr shading);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_shading_release(IntPtr shading);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_renderer_draw(RendererHandle renderer, hrbfnpr_item* items,
             long item_count, long item_stride, hrbfnpr_camera* camera, out IntPtr out_drawing, hrbfnpr_error* error);

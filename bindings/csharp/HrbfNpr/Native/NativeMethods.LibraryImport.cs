@@ -247,6 +247,8 @@ namespace HrbfNpr
             double* origin, double* direction, double* up, double vertical_angle, double width, double height,
             double margin, hrbfnpr_error* error);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_light_init(hrbfnpr_light* light, uint struct_size);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint struct_size);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint struct_size);
@@ -270,6 +272,24 @@ namespace HrbfNpr
         internal static partial int hrbfnpr_layer_pose_init(hrbfnpr_layer_pose* pose, uint struct_size);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_item_init(hrbfnpr_item* item, uint struct_size);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_occluders_create(ContextHandle context, hrbfnpr_item* items,
+            long item_count, long item_stride, OperationHandle operation, out IntPtr out_occluders,
+            hrbfnpr_error* error);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void hrbfnpr_occluders_retain(IntPtr occluders);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void hrbfnpr_occluders_release(IntPtr occluders);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_shading_desc_init(hrbfnpr_shading_desc* desc, uint struct_size);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_shading_create(ContextHandle context, OccludersHandle occluders,
+            hrbfnpr_item* item, hrbfnpr_camera* camera, hrbfnpr_shading_desc* desc, OperationHandle operation,
+            out IntPtr out_shading, hrbfnpr_error* error);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void hrbfnpr_shading_retain(IntPtr shading);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void hrbfnpr_shading_release(IntPtr shading);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_renderer_draw(RendererHandle renderer, hrbfnpr_item* items,
             long item_count, long item_stride, hrbfnpr_camera* camera, out IntPtr out_drawing, hrbfnpr_error* error);

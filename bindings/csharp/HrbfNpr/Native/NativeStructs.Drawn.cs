@@ -16,6 +16,18 @@ namespace HrbfNpr
         internal fixed double viewport[4];
     }
 
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_light")]
+    internal unsafe struct hrbfnpr_light
+    {
+        internal uint struct_size;
+        internal uint kind;
+        internal uint space;
+        internal float intensity;
+        internal float shadow;
+        internal float softness;
+        internal fixed double place[3];
+    }
+
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_style")]
     internal unsafe struct hrbfnpr_layer_style
     {
@@ -117,6 +129,24 @@ namespace HrbfNpr
         internal long line_stride;
         internal float fill_light;
         internal uint reserved2;
+        internal float light_intensity;
+        internal float light_shadow;
+        internal float light_softness;
+        internal uint reserved3;
+        internal IntPtr lights;
+        internal long light_count;
+        internal long light_stride;
+        internal fixed double ambient_up[3];
+        internal float ambient_sky;
+        internal float ambient_ground;
+        internal float occlusion;
+        internal float occlusion_exponent;
+        internal float rim_light;
+        internal float rim_exponent;
+        internal float tone_black;
+        internal float tone_white;
+        internal float tone_gamma;
+        internal uint tone_steps;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_pose")]
@@ -143,6 +173,18 @@ namespace HrbfNpr
         internal long pose_count;
         internal long pose_stride;
         internal IntPtr line_set;
+        internal IntPtr shading;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_shading_desc")]
+    internal unsafe struct hrbfnpr_shading_desc
+    {
+        internal uint struct_size;
+        internal int sky_rays;
+        internal int shadow_rays;
+        internal uint reserved;
+        internal double occlusion_reach;
+        internal IntPtr previous;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_raster_desc")]

@@ -21,7 +21,7 @@ namespace HrbfNpr
                 }
                 size += layers[i].NameUtf8 == null ? 0 : Memory.Rounded(layers[i].NameUtf8.Length);
             }
-            return size + Size(style.Lines);
+            return size + Size(style.Lines) + Memory.Rounded((long)style.Lights.Count * sizeof(hrbfnpr_light));
         }
 
         internal static hrbfnpr_style* Write(Style style, Memory memory)
@@ -42,6 +42,7 @@ namespace HrbfNpr
                 }
             }
             Write(style.Lines, native, memory);
+            Write(style.Lights, native, memory);
             return native;
         }
 
@@ -82,6 +83,23 @@ namespace HrbfNpr
                     first[i].levels.scalar = (uint)ScalarType.Float64;
                     first[i].levels.components = 1;
                 }
+            }
+        }
+
+        private static void Write(IList<Light> lights, hrbfnpr_style* native, Memory memory)
+        {
+            int count = lights.Count;
+            if (count == 0)
+            {
+                return;
+            }
+            var first = (hrbfnpr_light*)memory.Take((long)count * sizeof(hrbfnpr_light));
+            native->lights = (IntPtr)first;
+            native->light_count = count;
+            for (int i = 0; i < count; ++i)
+            {
+                Light light = lights[i] ?? throw new ArgumentNullException(nameof(Style.Lights));
+                light.Write(first + i);
             }
         }
 

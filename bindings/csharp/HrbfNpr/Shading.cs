@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Threading;
+
+namespace HrbfNpr
+{
+    /// <summary>How much of the sky and of each light with a shadow the marks of an item see.</summary>
+    /// <remarks>
+    /// It holds for the item's point set, its transform, the lights of its style, and the occluders.  While these stay,
+    /// it is valid for any camera, except that lights in the space of the camera move with it.  A shading never changes,
+    /// so several threads may use it at the same time.  It keeps the point set's data alive.
+    /// </remarks>
+    public sealed unsafe class Shading : IDisposable
+    {
+        private readonly ShadingHandle handle = new ShadingHandle();
+
+        /// <summary>Computes the shading of an item; give it as <see cref="Item.Shading"/>.</summary>
+        /// <param name="occluders">The surfaces that cast shadows and hide the sky.</param>
+        /// <param name="item">The item.  Its point set, style and transform are used.</param>
+        /// <param name="camera">The camera of lights in its space that cast shadows; null if no light is
+        /// such.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
+        /// <param name="cancellationToken">Cancels the call.</param>
+        /// <exception cref="InvalidArgumentException">A number of the options or of the style is out of its range, the
+        /// item has poses, or a light in the space of the camera casts shadows and there is no camera.</exception>
+        /// <exception cref="CancelledException">The call was cancelled.</exception>
+        public Shading(
+            Occluders occluders, Item item, Camera camera = null, ShadingOptions options = null, Context context = null,
+            IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            if (occluders == null)
+            {
+                throw new ArgumentNullException(nameof(occluders));
+            }
+            context = Context.Resolve(context);
+            hrbfnpr_camera view = camera == null ? default(hrbfnpr_camera) : camera.Native;
+            using (var held = new HeldHandles())
+            using (var structs = new ItemMemory())
+            using (var call = new LongCall(context.Handle, progress, cancellationToken))
+            {
+                hrbfnpr_shading_desc desc;
+                (options ?? new ShadingOptions()).Write(&desc, held);
+                hrbfnpr_item* first = structs.Write(new[] { item }, false);
+                hrbfnpr_error error = Errors.New();
+                int status = NativeMethods.hrbfnpr_shading_create(
+                    context.Handle, occluders.Handle, first, camera == null ? null : &view, &desc, call.Operation,
+                    out IntPtr created, &error);
+                handle.Take(created, context.Anchor);
+                try
+                {
+                    call.Check(status, &error);
+                }
+                catch
+                {
+                    handle.Dispose(); // progress may throw after the call has succeeded
+                    throw;
+                }
+            }
+        }
+
+        internal ShadingHandle Handle
+        {
+            get { return handle; }
+        }
+
+        /// <summary>Releases the shading.  A drawing needs it only while it is made.</summary>
+        public void Dispose()
+        {
+            handle.Dispose();
+        }
+    }
+}
