@@ -82,6 +82,50 @@ test("every preset draws", () => {
   lineSet.free();
 });
 
+test("lights, occluders and shadings", () => {
+  const renderer = context.createRenderer();
+  const lineSet = ball.createLineSet();
+  const style = { ...library.style(), fillLight: 0, toneFade: 0 };
+  const view = library.createCamera().fitBounds([-1, -3.2, -1], [1, 1, 1], { width: 120, height: 240 });
+  const shown = (item) => {
+    const drawing = renderer.draw(item, view);
+    const count = drawing.info().shown;
+    drawing.free();
+    return count;
+  };
+  const above = { pointSet: marks, style, lineSet };
+  const below = { ...above, transform: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -2.2, 0, 1] };
+  const alone = shown(above);
+  style.lights = [{}];
+  assert.equal(shown(above), alone);
+  style.lights = [{ place: [0, 1, 0], space: "world", shadow: 1 }];
+  style.ambientSky = 0.2;
+  const open = shown(below);
+  const progress = [];
+  const occluders = context.createOccluders([above, below], { onProgress: (at) => void progress.push(at) });
+  below.shading = occluders.createShading(below, { skyRays: 16 }, { onProgress: (at) => void progress.push(at) });
+  assert.ok(progress.length >= 2 && progress.at(-1) === 1);
+  const closed = shown(below);
+  assert.ok(closed > open, `${closed} and ${open} marks`);
+  const moved = context.createShading(occluders, below, { previous: below.shading });
+  assert.equal(shown({ ...below, shading: moved }), closed);
+  moved.free();
+  style.occlusion = 0;
+  assert.ok(shown(below) < closed);
+  below.shading.free();
+  assert.throws(() => shown(below), /this shading has been freed/);
+  style.lights[0].space = "camera";
+  assert.throws(() => context.createShading(occluders, below), /camera/);
+  below.shading = context.createShading(occluders, below, { camera: view });
+  assert.throws(() => context.createOccluders({ pointSet: marks }), /line_set/);
+  assert.throws(() => context.createShading(occluders, below, { camera: view, skyRays: 0 }), /sky_rays/);
+  assert.throws(() => context.createShading(occluders, below, { rays: 1 }), /no option "rays"/);
+  assert.throws(() => context.createOccluders(above, { onProgress: () => false }), (error) => error.isCancelled);
+  style.lights.push({ kind: "lamp" });
+  assert.throws(() => shown(below), /items\[0\]\.style\.lights\[1\]\.kind is "lamp"/);
+  for (const handle of [below.shading, occluders, lineSet, renderer]) handle.free();
+});
+
 test("lines, planes, vertices and pages of a drawing", () => {
   const lineSet = ball.createLineSet();
   const drawing = context.createRenderer().draw({ pointSet: marks, lineSet, style: library.style("contour-and-stipple") }, camera);

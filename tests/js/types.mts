@@ -7,8 +7,14 @@ async function main() {
   const model = context.fit({ points: new Float64Array(9), normals: [[0, 0, 1]], kernel: "wendland-c2" }, { onProgress: (p) => p < 0.5 });
   const marks = model.generate({ preset: "hatch", layers: hrbf.presetLayers("hatch").map((one) => ({ ...one, budget: 100 })) });
   const style: Style = { ...hrbf.style("hatch"), light: [0, 0, 1] };
+  style.lights = [{ kind: "place", place: [0, 0, 3], shadow: 1 }, { space: "item" }];
+  const item = { pointSet: marks, style, lineSet: model.createLineSet() };
+  const occluders = context.createOccluders([item], { onProgress: (p) => p < 0.5 });
+  const shading = context.createShading(occluders, item, { skyRays: 16, camera: hrbf.createCamera() });
+  // @ts-expect-error: there is no such kind of light
+  style.lights.push({ kind: "lamp" });
   const camera = hrbf.createCamera().fitBounds([0, 0, 0], [1, 1, 1], { width: 10, height: 20 });
-  const drawing = context.createRenderer().draw({ pointSet: marks, style }, camera);
+  const drawing = context.createRenderer().draw({ ...item, shading }, camera);
   const svg: string = drawing.toSVG();
   const picture = context.draw({ points: [[0, 0, 0]] }, { style: "hatch", allowBlank: true });
   const parts: (typeof marks | undefined)[] = picture.parts().map(({ pointSet }) => pointSet);

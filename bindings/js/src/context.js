@@ -8,8 +8,10 @@ import { Model } from "./model.js";
 import { operated } from "./operation.js";
 import { Picture } from "./picture.js";
 import { PointSet } from "./point_set.js";
-import { Renderer } from "./renderer.js";
+import { itemStructs, Renderer } from "./renderer.js";
 import { Settings } from "./settings.js";
+import { Occluders, Shading } from "./shading.js";
+import { sizeOf } from "./structs.js";
 
 /** Returns a source whose triangles, numbers or lists of three, are an Int32Array, which the library accepts. */
 const withIndices = (source) =>
@@ -186,6 +188,26 @@ export class Context extends Handle {
       const desc = call.structOf(options, "hrbfnpr_line_set_desc", "line set");
       return new LineSet(this, operated(call, this.pointer, control, (operation) =>
         call.made("hrbfnpr_line_set_create", this.pointer, model.pointer, desc, operation)));
+    });
+  }
+
+  createOccluders(items, control) {
+    // Shadings are left out: the caller may have freed them to make new ones.
+    const list = (Array.isArray(items) ? items : [items]).map((item) => ({ ...item, shading: undefined }));
+    return Call.with(this.library, (call) => {
+      const first = itemStructs(call, list);
+      return new Occluders(this, operated(call, this.pointer, control, (operation) =>
+        call.made("hrbfnpr_occluders_create", this.pointer, first, list.length, sizeOf("hrbfnpr_item"), operation)));
+    });
+  }
+
+  createShading(occluders, item, { camera, ...options } = {}, control) {
+    return Call.with(this.library, (call) => {
+      const given = call.structOf({ ...item, shading: undefined }, "hrbfnpr_item", "item");
+      const seen = camera ? call.structOf({ ...camera }, "hrbfnpr_camera", "camera") : 0;
+      const desc = call.structOf(options, "hrbfnpr_shading_desc", "shading");
+      return new Shading(this, operated(call, this.pointer, control, (operation) =>
+        call.made("hrbfnpr_shading_create", this.pointer, occluders.pointer, given, seen, desc, operation)));
     });
   }
 

@@ -10,10 +10,10 @@ export type { Functions, Pointer } from "./generated/functions.js";
 export type {
   Annotation, CastDesc, CompareDesc, Comparison, ContextDesc, ContextInfo, CsgDesc, CsgInfo, CsgNode, CustomDesc,
   DepthImageDesc, DepthImageInfo, DrawingInfo, DrawingLayerInfo, FitDesc, GenerateDesc, Item, LayerArrays, LayerDesc,
-  LayerInfo, LayerPose, LayerStyle, LineDesc, LineSetDesc, LineSetInfo, LineStyle, MarkIdentity, MeshDesc, MeshFitDesc,
+  LayerInfo, LayerPose, LayerStyle, Light, LineDesc, LineSetDesc, LineSetInfo, LineStyle, MarkIdentity, MeshDesc, MeshFitDesc,
   MeshEdgesDesc, MeshFitInfo, MeshInfo, ModelInfo, OrientDesc, OrientInfo, PageDesc, PageInfo, PageItem, Pen, PictureDesc,
   PictureInfo, PicturePageDesc, PictureSource, PlacementInfo, ViewsDesc, ViewsInfo,
-  PointSetDesc, PointSetInfo, ProjectDesc, SampleDesc, Style, TrimDesc, TrimInfo,
+  PointSetDesc, PointSetInfo, ProjectDesc, SampleDesc, ShadingDesc, Style, TrimDesc, TrimInfo,
 } from "./generated/options.js";
 
 export type Numbers = ArrayLike<number>;
@@ -155,6 +155,13 @@ export class Context extends Handle {
   createPointSet(options: O.PointSetDesc): PointSet;
   /** Makes the line set of a model, from which its lines are drawn for every camera. */
   createLineSet(model: Model, options?: O.LineSetDesc, control?: Control): LineSet;
+  /** Gathers the surfaces that cast shadows and hide the sky: those of all items that have a line set, at their
+   *  transforms.  Walls thinner than a cell of the line set may let light through. */
+  createOccluders(items: O.Item | readonly O.Item[], control?: Control): Occluders;
+  /** Computes how much of the sky and of each light with a shadow the marks of an item see, for `shading` of the item.
+   *  It uses the item's point set, style and transform.  Lights in camera space that cast shadows need `camera`. */
+  createShading(occluders: Occluders, item: O.Item, options?: O.ShadingDesc & { camera?: O.Camera },
+                control?: Control): Shading;
   /** Places marks on the surface of a model.  `preset` gives the layers if `layers` is missing. */
   generate(model: Model, options?: O.GenerateDesc & { preset?: C.PresetName | number }, control?: Control): PointSet;
   /** Loads what Model.save returned. */
@@ -237,6 +244,19 @@ export class PointSet extends Handle {
 export class LineSet extends Handle {
   readonly context: Context;
   info(): O.LineSetInfo;
+}
+
+/** Holds the surfaces that cast shadows and hide the sky. */
+export class Occluders extends Handle {
+  readonly context: Context;
+  /** Computes the shading of an item, as Context.createShading. */
+  createShading(item: O.Item, options?: O.ShadingDesc & { camera?: O.Camera }, control?: Control): Shading;
+}
+
+/** Holds how much of the sky and of each light with a shadow the marks of an item see.  It holds for the item's point
+ *  set, transform and lights, and for the occluders, and for any camera.  Only lights in camera space move with it. */
+export class Shading extends Handle {
+  readonly context: Context;
 }
 
 /** Triangles that have been repaired. */

@@ -66,3 +66,4 @@ export { Picture } from "./picture.js";
 export { PointSet } from "./point_set.js";
 export { Renderer } from "./renderer.js";
 export { Settings } from "./settings.js";
+export { Occluders, Shading } from "./shading.js";

@@ -716,15 +716,27 @@ export declare const TONE_RULE: {
 /** The constants of TONE_RULE, as options spell them. */
 export type ToneRuleName = "share" | "published";
 
-/** The space in which the direction to the light is given. */
+/** The space in which the direction to the light, or its place, is given. */
 export declare const LIGHT: {
   /** world space: the light stays where it is when the camera moves */
   readonly WORLD: 0;
   /** eye space: the light moves with the camera */
   readonly CAMERA: 1;
+  /** object space: the light moves with the item */
+  readonly ITEM: 2;
 };
 /** The constants of LIGHT, as options spell them. */
-export type LightName = "world" | "camera";
+export type LightName = "world" | "camera" | "item";
+
+/** Where a light comes from. */
+export declare const LIGHT_KIND: {
+  /** from far away, everywhere from the same direction */
+  readonly DIRECTIONAL: 0;
+  /** from a place; its strength does not fall with the distance */
+  readonly PLACE: 1;
+};
+/** The constants of LIGHT_KIND, as options spell them. */
+export type LightKindName = "directional" | "place";
 
 /**
  * How the front marks of a layer of strokes are drawn.  Layers without strokes are always dots, and so is
@@ -1229,10 +1241,12 @@ export declare const STAGE: {
   readonly FRAME: 10;
   /** draws the views of a sheet */
   readonly VIEWS: 11;
+  /** finds occlusion and cast shadows */
+  readonly SHADE: 12;
 };
 /** The constants of STAGE, as options spell them. */
 export type StageName = "mesh" | "sample" | "orient" | "smooth" | "fit" | "compare" | "end" | "marks" | "lines" |
-  "frame" | "views";
+  "frame" | "views" | "shade";
 
 /** How much a note matters. */
 export declare const SEVERITY: {

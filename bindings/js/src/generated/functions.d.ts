@@ -862,6 +862,12 @@ export interface Functions {
    */
   hrbfnpr_camera_fit_points(camera: Pointer, points: Pointer, origin: Pointer, direction: Pointer, up: Pointer, vertical_angle: number, width: number, height: number, margin: number, error: Pointer): number;
   /**
+   * hrbfnpr_status hrbfnpr_light_init(hrbfnpr_light* light, uint32_t struct_size)
+   *
+   * Sets struct_size and all defaults.
+   */
+  hrbfnpr_light_init(light: Pointer, struct_size: number): number;
+  /**
    * hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size)
    *
    * Sets struct_size and all defaults.
@@ -937,6 +943,67 @@ export interface Functions {
    * Sets struct_size, NULL pointers and the identity transform.
    */
   hrbfnpr_item_init(item: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_occluders_create(hrbfnpr_context* context, const hrbfnpr_item* items, int64_t
+   * item_count, int64_t item_stride, hrbfnpr_operation* operation, hrbfnpr_occluders** out_occluders,
+   * hrbfnpr_error* error)
+   *
+   * Gathers the surfaces of all items that have a line set, at their transforms: the triangles on which lines are
+   * found.
+   * Walls thinner than a cell of the line set may let light through.  The other fields of items are not read.
+   *
+   * Errors: INVALID_ARGUMENT (no item has a line set), OUT_OF_MEMORY, CANCELLED.
+   */
+  hrbfnpr_occluders_create(context: Pointer, items: Pointer, item_count: number, item_stride: number, operation: Pointer, out_occluders: Pointer, error: Pointer): number;
+  /**
+   * void hrbfnpr_occluders_retain(const hrbfnpr_occluders* occluders)
+   *
+   * Adds a reference.  Any thread may call it; NULL is ignored.
+   */
+  hrbfnpr_occluders_retain(occluders: Pointer): void;
+  /**
+   * void hrbfnpr_occluders_release(const hrbfnpr_occluders* occluders)
+   *
+   * Releases a reference.  Any thread may call it; NULL is ignored.
+   */
+  hrbfnpr_occluders_release(occluders: Pointer): void;
+  /**
+   * hrbfnpr_status hrbfnpr_shading_desc_init(hrbfnpr_shading_desc* desc, uint32_t struct_size)
+   *
+   * Sets every field to its default.
+   */
+  hrbfnpr_shading_desc_init(desc: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_shading_create(hrbfnpr_context* context, const hrbfnpr_occluders* occluders, const
+   * hrbfnpr_item* item, const hrbfnpr_camera* camera, const hrbfnpr_shading_desc* desc, hrbfnpr_operation*
+   * operation, hrbfnpr_shading** out_shading, hrbfnpr_error* error)
+   *
+   * Computes how much of the sky [Zhukov, Iones & Kronin 1998] and of each light with a shadow the marks of an
+   * item see.
+   * The result holds for the item's point set, its transform, the lights of its style, and the occluders.  It
+   * stays valid
+   * while these stay, for any camera, except that lights in camera space move with the camera.
+   *
+   * occluders:   the surfaces, in world space
+   * item:        point_set, style and transform are read
+   * camera:      the camera of lights in camera space that cast shadows; may be NULL without such lights
+   * desc:        NULL = all defaults
+   *
+   * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+   */
+  hrbfnpr_shading_create(context: Pointer, occluders: Pointer, item: Pointer, camera: Pointer, desc: Pointer, operation: Pointer, out_shading: Pointer, error: Pointer): number;
+  /**
+   * void hrbfnpr_shading_retain(const hrbfnpr_shading* shading)
+   *
+   * Adds a reference.  Any thread may call it; NULL is ignored.
+   */
+  hrbfnpr_shading_retain(shading: Pointer): void;
+  /**
+   * void hrbfnpr_shading_release(const hrbfnpr_shading* shading)
+   *
+   * Releases a reference.  Any thread may call it; NULL is ignored.
+   */
+  hrbfnpr_shading_release(shading: Pointer): void;
   /**
    * hrbfnpr_status hrbfnpr_renderer_draw(hrbfnpr_renderer* renderer, const hrbfnpr_item* items, int64_t
    * item_count, int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_drawing** out_drawing, hrbfnpr_error*

@@ -365,6 +365,14 @@ export const STRUCTS = {
     projection: ["f64", 136, 16],
     viewport: ["f64", 264, 4],
   } },
+  hrbfnpr_light: { size: 48, sized: true, fields: {
+    kind: ["u32", 4, 0, "LIGHT_KIND"],
+    space: ["u32", 8, 0, "LIGHT"],
+    intensity: ["f32", 12],
+    shadow: ["f32", 16],
+    softness: ["f32", 20],
+    place: ["f64", 24, 3],
+  } },
   hrbfnpr_layer_style: { size: 116, sized: true, fields: {
     kind: ["u32", 4, 0, "LAYER_KIND"],
     name: ["text", 8],
@@ -417,7 +425,7 @@ export const STRUCTS = {
     wobbleSeed: ["u32", 152],
     creases: ["u32", 156, 0, "CREASES"],
   } },
-  hrbfnpr_style: { size: 240, sized: true, fields: {
+  hrbfnpr_style: { size: 344, sized: true, fields: {
     tone: ["u32", 4, 0, "TONE"],
     paper: ["f32", 8, 4],
     layers: ["list", 24, "hrbfnpr_layer_style", 32, 40],
@@ -445,6 +453,21 @@ export const STRUCTS = {
     zoomExponent: ["f64", 200],
     lines: ["list", 208, "hrbfnpr_line_style", 216, 224],
     fillLight: ["f32", 232],
+    lightIntensity: ["f32", 240],
+    lightShadow: ["f32", 244],
+    lightSoftness: ["f32", 248],
+    lights: ["list", 256, "hrbfnpr_light", 264, 272],
+    ambientUp: ["f64", 280, 3],
+    ambientSky: ["f32", 304],
+    ambientGround: ["f32", 308],
+    occlusion: ["f32", 312],
+    occlusionExponent: ["f32", 316],
+    rimLight: ["f32", 320],
+    rimExponent: ["f32", 324],
+    toneBlack: ["f32", 328],
+    toneWhite: ["f32", 332],
+    toneGamma: ["f32", 336],
+    toneSteps: ["u32", 340],
   } },
   hrbfnpr_layer_pose: { size: 112, sized: true, fields: {
     layer: ["i64", 8],
@@ -460,6 +483,13 @@ export const STRUCTS = {
     transform: ["f64", 24, 16],
     poses: ["list", 152, "hrbfnpr_layer_pose", 160, 168],
     lineSet: ["handle", 176, "hrbfnpr_line_set"],
+    shading: ["handle", 180, "hrbfnpr_shading"],
+  } },
+  hrbfnpr_shading_desc: { size: 32, sized: true, fields: {
+    skyRays: ["i32", 4],
+    shadowRays: ["i32", 8],
+    occlusionReach: ["f64", 16],
+    previous: ["handle", 24, "hrbfnpr_shading"],
   } },
   hrbfnpr_drawing_info: { size: 256, sized: true, fields: {
     items: ["i64", 8],
@@ -986,6 +1016,7 @@ export const OFFSETS = {
   hrbfnpr_line_set_info: {struct_size: 0, reserved: 4, triangles: 8, turned: 16, missed_seeds: 24, lines: 32, borders:
     40, cell_size: 48, seconds: 56, bytes: 64, left_out: 72, creases: 80},
   hrbfnpr_camera: {struct_size: 0, depth_convention: 4, view: 8, projection: 136, viewport: 264},
+  hrbfnpr_light: {struct_size: 0, kind: 4, space: 8, intensity: 12, shadow: 16, softness: 20, place: 24},
   hrbfnpr_layer_style: {struct_size: 0, kind: 4, name: 8, shown: 12, contours: 16, directions: 20, shape: 24, share:
     28, radius: 32, radius_zoom: 36, reserved: 40, ink: 44, hatch_tone_begin: 60, hatch_tone_end: 64,
     hatch_coverage_begin: 68, hatch_coverage_end: 72, hatch_spacing: 76, hatch_pen: 80, hatch_white: 84, hatch_taper:
@@ -999,10 +1030,15 @@ export const OFFSETS = {
     silhouette_threshold: 104, silhouette_radius: 112, silhouette_radius_zoom: 116, silhouette_ink: 120, visibility:
     136, hidden_lines: 140, attenuation_front: 144, attenuation_back: 152, splat_radius: 160, splat_overlap: 164,
     halo_width: 168, reserved: 172, depth_min: 176, depth_max: 184, zoom_reference: 192, zoom_exponent: 200, lines:
-    208, line_count: 216, line_stride: 224, fill_light: 232, reserved2: 236},
+    208, line_count: 216, line_stride: 224, fill_light: 232, reserved2: 236, light_intensity: 240, light_shadow: 244,
+    light_softness: 248, reserved3: 252, lights: 256, light_count: 264, light_stride: 272, ambient_up: 280,
+    ambient_sky: 304, ambient_ground: 308, occlusion: 312, occlusion_exponent: 316, rim_light: 320, rim_exponent: 324,
+    tone_black: 328, tone_white: 332, tone_gamma: 336, tone_steps: 340},
   hrbfnpr_layer_pose: {struct_size: 0, reserved: 4, layer: 8, position: 16, normal: 48, direction: 80},
   hrbfnpr_item: {struct_size: 0, sides: 4, point_set: 8, style: 12, model: 16, transform: 24, poses: 152, pose_count:
-    160, pose_stride: 168, line_set: 176},
+    160, pose_stride: 168, line_set: 176, shading: 180},
+  hrbfnpr_shading_desc: {struct_size: 0, sky_rays: 4, shadow_rays: 8, reserved: 12, occlusion_reach: 16, previous:
+    24},
   hrbfnpr_drawing_info: {struct_size: 0, reserved: 4, items: 8, layers: 16, dots: 24, strokes: 32, stroke_points: 40,
     marks: 48, outside: 56, front: 64, back: 72, silhouette: 80, culled: 88, shown: 96, dropped_tone: 104,
     dropped_depth: 112, dropped_zoom: 120, dropped_hidden: 128, splats: 136, nanoseconds_classify: 144,

@@ -3,15 +3,15 @@
 
 import type { CapName, ClassName, CreasesName, CsgName, DabName, DensityName, DepthName, DistributionName,
   DotShapeName, EdgesName, FacesName, HatchGuideName, HiddenLinesName, HiddenPartsName, InstructionSetName,
-  KernelName, LayerKindName, LightName, LineKindName, LineTypeName, LogName, NormalsLookName, NormalsName, NoteName,
-  OutwardName, PageFormatName, PartsName, PictureEdgesName, PictureSidesName, PresetName, PrimitiveName, ProfileName,
-  RegularizationName, RepairName, ScalarName, SeedName, SeverityName, ShapeName, SidesName, SolverName,
-  SolverReasonName, SourceKindName, StageName, StrokeStartName, ThreadBackendName, ToneCurveName, ToneName,
-  ToneRangesName, ToneRuleName, TrimName, VertexAttributeName, ViewsAngleName, ViewsHiddenName, VisibilityName,
-  WidthsName, WordingName } from "./constants.js";
+  KernelName, LayerKindName, LightKindName, LightName, LineKindName, LineTypeName, LogName, NormalsLookName,
+  NormalsName, NoteName, OutwardName, PageFormatName, PartsName, PictureEdgesName, PictureSidesName, PresetName,
+  PrimitiveName, ProfileName, RegularizationName, RepairName, ScalarName, SeedName, SeverityName, ShapeName,
+  SidesName, SolverName, SolverReasonName, SourceKindName, StageName, StrokeStartName, ThreadBackendName,
+  ToneCurveName, ToneName, ToneRangesName, ToneRuleName, TrimName, VertexAttributeName, ViewsAngleName,
+  ViewsHiddenName, VisibilityName, WidthsName, WordingName } from "./constants.js";
 import type { Pointer } from "./functions.js";
 import type { AllocateFn, ArrayInput, ArrayOutput, DeallocateFn, DensityFn, DirectionFn, Drawing, ImplicitFn, LineSet,
-  LogFn, Mesh, Model, Numbers, PictureEventFn, PointSet, RunTasksFn, Settings, ToneFn } from "../index.js";
+  LogFn, Mesh, Model, Numbers, PictureEventFn, PointSet, RunTasksFn, Settings, Shading, ToneFn } from "../index.js";
 
 /** How a context works. */
 export interface ContextDesc {
@@ -990,6 +990,32 @@ export interface Camera {
 }
 
 /**
+ * A light of a style.  It adds intensity * max(0, n . l)^tone_exponent to the light of a mark, where l is the
+ * unit
+ * vector to the light.
+ */
+export interface Light {
+  /** where it comes from, HRBFNPR_LIGHT_KIND_...; default DIRECTIONAL */
+  kind?: LightKindName | number;
+  /** space of `place`, HRBFNPR_LIGHT_...; default CAMERA */
+  space?: LightName | number;
+  /** 0 .. 16; default 1 = a surface that faces the light is white */
+  intensity?: number;
+  /**
+   * share of its light that its cast shadows take away, 0 .. 1; default 0 = it casts none. It has an effect on
+   * items with a shading
+   */
+  shadow?: number;
+  /**
+   * radius of the light as it is seen from the surface, in radians, 0 .. 0.5; default 0 = shadows with sharp
+   * borders; the sun has 0.0047
+   */
+  softness?: number;
+  /** DIRECTIONAL: the direction to the light, of any length but 0; PLACE: the place; default (-0.4, 0.6, 0.7) */
+  place?: Numbers;
+}
+
+/**
  * How layers of marks are drawn.  Colours are straight RGBA in [0, 1], sRGB-encoded.  Lengths in pixels are
  * those of
  * the picture.
@@ -1289,9 +1315,65 @@ export interface Style {
   /**
    * strength of a light from the side opposite to `light`, which lets the unlit side keep its form: tau =
    * fill_light * (n . l)^2 where n . l < 0; 0 .. 1; default 0.25. The lit side stays as it is. For TONE_LIGHT with
-   * DEPTH_LAYERS and TONE_RULE_SHARE
+   * DEPTH_LAYERS and TONE_RULE_SHARE. With `lights` it comes from the side opposite to the first one
    */
   fillLight?: number;
+  /**
+   * as in hrbfnpr_light; default 1
+   *
+   * Lights, for TONE_LIGHT with DEPTH_LAYERS and TONE_RULE_SHARE.  Their sum is the light s of a mark, and the
+   * tone
+   * law makes tau of it: tau = t^tone_gamma, where t = (s - tone_black) / (tone_white - tone_black), clamped to 0
+   * ..
+   * 1.
+   */
+  lightIntensity?: number;
+  /** as in hrbfnpr_light; default 0 */
+  lightShadow?: number;
+  /** as in hrbfnpr_light; default 0 */
+  lightSoftness?: number;
+  /**
+   * a list of up to 8 lights; default NULL = one directional light, with the fields `light` and light_, which a
+   * list replaces. The first one is the light of isophotes and of lit_factor
+   */
+  lights?: readonly Light[];
+  /** direction to the sky, in world space, of any length but 0; default (0, 1, 0) */
+  ambientUp?: Numbers;
+  /**
+   * light where the surface faces the sky; 0 .. 16; default 0. Ambient light is a mean of the light from the sky,
+   * weighted by (1 + n . up) / 2, and that from the ground
+   */
+  ambientSky?: number;
+  /** light where the surface faces the ground; 0 .. 16; default 0 */
+  ambientGround?: number;
+  /**
+   * share of the ambient light that is lost where no sky is seen, 0 .. 1; default 1. It has an effect on items
+   * with a shading
+   */
+  occlusion?: number;
+  /**
+   * ambient light is multiplied by the share of the sky that is seen to this power; above 0, up to 16; default
+   * 1.5. Larger: hollows are darker
+   */
+  occlusionExponent?: number;
+  /**
+   * adds rim_light * (1 - |n . v|)^rim_exponent, where v points to the eye: contours are lighter; 0 .. 16; default
+   * 0
+   */
+  rimLight?: number;
+  /** above 0, up to 64; default 3. Larger: the light rim is narrower */
+  rimExponent?: number;
+  /** light that is drawn as black; -16 .. 16; default 0 */
+  toneBlack?: number;
+  /** light that is drawn as white; above tone_black, up to 16; default 1 */
+  toneWhite?: number;
+  /** exponent of the tone law; above 0, up to 16; default 1. Larger: mid-tones are darker */
+  toneGamma?: number;
+  /**
+   * number of flat tones, from black to white, 2 .. 6; default 0 = continuous tones. The steps of t have the same
+   * size
+   */
+  toneSteps?: number;
 }
 
 /** The marks of one layer as they are in this drawing, for an animated surface. */
@@ -1331,6 +1413,30 @@ export interface Item {
    * other's lines; other items hide no lines. It must be NULL if there are poses
    */
   lineSet?: LineSet;
+  /**
+   * how much light reaches the marks; default NULL = all. It must be that of `point_set`, and NULL if there are
+   * poses
+   */
+  shading?: Shading;
+}
+
+/** How a shading is computed. */
+export interface ShadingDesc {
+  /** number of rays by which a mark sees the sky; 1 .. 4096; default 64. Larger: less noise */
+  skyRays?: number;
+  /** number of rays by which a mark in a penumbra sees a light; 1 .. 4096; default 32 */
+  shadowRays?: number;
+  /**
+   * distance beyond which nothing hides the sky, in diagonals of the box around all occluders; 0 .. 100; default
+   * 0.35; 0 = the whole sky is seen everywhere. What is nearer hides the more, the nearer it is: 1 - distance /
+   * reach
+   */
+  occlusionReach?: number;
+  /**
+   * a shading of the same item and the same occluders, but for other lights, whose occlusion is taken; default
+   * NULL = occlusion is computed. sky_rays and occlusion_reach then have no effect
+   */
+  previous?: Shading;
 }
 
 /**
