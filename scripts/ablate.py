@@ -63,6 +63,7 @@ OWN_CASES: Dict[str, Tuple[str, ...]] = {
     "geometry": ("vectors",),
     "hatching": ("hatching",),
     "implicit": ("lines_s", "mesh"),
+    "light": ("shaded",),
     "marks": ("hatching", "stipples", "frame"),
     "mesh": ("mesh", "verdict"),
     "mesh/fit": ("mesh",),

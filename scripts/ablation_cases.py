@@ -389,6 +389,24 @@ def rays(kept: Kept) -> Result:
             "seen.t": np.round(seen.t, 6).tobytes(), "grazing.t": np.round(grazing.t, 6).tobytes()}  # fmt: skip
 
 
+@case
+def shaded(kept: Kept) -> Result:
+    """Occlusion and soft shadows of two shapes, one beside the other."""
+    shape = datasets.knot(700)
+    model = hrbfnpr.Model.fit(shape.points, shape.normals)
+    marks = model.generate([hrbfnpr.Layer("stipples", budget=60000)])
+    style = hrbfnpr.Style("stipple", ambient_sky=0.4, ambient_ground=0.1, light_space="world", light_shadow=1.0, light_softness=0.1)
+    other = np.eye(4)
+    other[:3, 3] = [-1.5, 1.0, 2.0]
+    lines = hrbfnpr.LineSet(model)
+    items = [hrbfnpr.Item(marks, style, line_set=lines), hrbfnpr.Item(marks, style, line_set=lines, transform=other)]
+    occluders = hrbfnpr.Occluders(items)
+    for item in items:
+        item.shading = hrbfnpr.Shading(occluders, item)
+    drawing = hrbfnpr.Renderer().draw(items, hrbfnpr.Camera.fit(marks, size=(SIZE, SIZE)))
+    return {"shaded": np.asarray(drawing.image())[..., :3].copy(), "shaded.shown": float(drawing.info.shown)}
+
+
 # ---- Meshes
 
 
