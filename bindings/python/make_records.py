@@ -148,7 +148,8 @@ class Style(NamedTuple):
 
 STYLES = {
     "StyleFields": Style("style", ("tone", "tone_function", "tone_user", "layers", "layer_count", "layer_stride", "lines",
-                                   "line_count", "line_stride")),
+                                   "line_count", "line_stride", "lights", "light_count", "light_stride")),
+    "LightFields": Style("light", ()),
     "LayerStyleFields": Style("layer_style", ("name", "directions")),
     "LineStyleFields": Style("line_style", ("name", "levels"), {
         "wobble_seed": "start of the random numbers of the wobble; any number; default 0",

@@ -42,6 +42,8 @@ from ._library import ffi as _ffi
 from ._library import lib as _lib
 from ._library import library_path
 from ._line_set import Lines, LineSet
+from ._item import Item
+from ._light import Light
 from ._line_style import LineStyle
 from ._marks import MarkLayer
 from ._mesh import Mesh, MeshEdges, MeshSamples, farthest_points
@@ -54,7 +56,8 @@ from ._operation import Operation
 from ._orient import Oriented, orient
 from ._page import write_page
 from ._point_set import PointSet, StepPatches
-from ._renderer import Item, Renderer
+from ._renderer import Renderer
+from ._shading import Occluders, Shading
 from ._style import LayerStyle, Style
 
 from . import csg  # noqa: E402 isort: skip
@@ -65,10 +68,10 @@ __all__ = [
     "CLASSES", "PRESETS", "PROJECTION_STATUS", "RAY_STATUS", "Annotation", "BufferTooSmallError", "CallbackError",
     "Camera", "CancelledError", "Comparison", "Context", "ContextInfo", "CorruptDataError", "CsgInfo", "Curvature",
     "DepthImageInfo", "Drawing", "DrawingInfo", "DrawingLayerInfo", "Error", "Evaluation", "InternalError", "InvalidArgumentError", "Item", "Layer",
-    "LayerInfo", "LayerStyle", "LineSet", "LineSetInfo", "LineStyle", "Lines", "MarkIdentity", "MarkLayer",
+    "LayerInfo", "LayerStyle", "Light", "LineSet", "LineSetInfo", "LineStyle", "Lines", "MarkIdentity", "MarkLayer",
     "MarkResults", "Mesh", "MeshEdges", "MeshEdgesInfo", "MeshFitInfo", "MeshInfo", "MeshSamples", "Model", "ModelInfo",
     "NotConvergedError",
-    "Operation", "OrientInfo", "Oriented", "OutOfMemoryError", "OwnLayer", "PageInfo", "PageItem", "Pen",
+    "Occluders", "Operation", "OrientInfo", "Oriented", "OutOfMemoryError", "OwnLayer", "PageInfo", "PageItem", "Pen",
     "PlacementInfo", "PointSet", "PointSetInfo", "Projection", "Raster", "RayHits", "Renderer", "SingularSystemError",
     "SmoothedDepthImage", "StepPatches", "StreamError", "Style", "TrimInfo", "UnsupportedStructError", "VersionMismatchError", "Vertices",
     "build_info", "csg", "default_context", "farthest_points", "library_path", "orient", "preset_layers",

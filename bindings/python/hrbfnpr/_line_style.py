@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any, Dict, Optional, Sequence, Tuple
 
 from ._arrays import block_in
-from ._kind_style import KindStyle
 from ._records import LineStyleFields
+from ._style_part import KindStyle
 
 
 class LineStyle(LineStyleFields, KindStyle):

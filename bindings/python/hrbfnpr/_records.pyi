@@ -1297,6 +1297,28 @@ class StyleFields(Attributes):
     zoom_reference: Field[float, float]
     zoom_exponent: Field[float, float]
     fill_light: Field[float, float]
+    light_intensity: Field[float, float]
+    light_shadow: Field[float, float]
+    light_softness: Field[float, float]
+    ambient_up: Field[Tuple[float, ...], Sequence[float]]
+    ambient_sky: Field[float, float]
+    ambient_ground: Field[float, float]
+    occlusion: Field[float, float]
+    occlusion_exponent: Field[float, float]
+    rim_light: Field[float, float]
+    rim_exponent: Field[float, float]
+    tone_black: Field[float, float]
+    tone_white: Field[float, float]
+    tone_gamma: Field[float, float]
+    tone_steps: Field[int, int]
+
+class LightFields(Attributes):
+    kind: Field[str, str]
+    space: Field[str, str]
+    intensity: Field[float, float]
+    shadow: Field[float, float]
+    softness: Field[float, float]
+    place: Field[Tuple[float, ...], Sequence[float]]
 
 class LayerStyleFields(Attributes):
     kind: Field[str, str]

@@ -8,14 +8,18 @@ from ._arrays import Array, store
 from ._callbacks import CallbackState, callback
 from ._errors import check, new_error, new_list, new_struct
 from ._fields import Color, Field
-from ._kind_style import KindStyle
 from ._library import ffi, lib
+from ._light import Light
 from ._line_style import LineStyle
 from ._names import LAYER_KINDS, PRESETS, TONES, name_of, number_of
 from ._numpy import np
 from ._records import LayerStyleFields, StyleFields
+from ._style_part import KindStyle, StylePart
 
 ToneFunction = Callable[[Array, Array], Any]
+
+# The lists of a hrbfnpr_style, without the plural's "s", each with the type of its elements.
+_LISTS = {"layer": "hrbfnpr_layer_style", "line": "hrbfnpr_line_style", "light": "hrbfnpr_light"}
 
 
 def _directions(name: str, value: Union[int, str, Iterable[str]]) -> int:
@@ -69,6 +73,8 @@ class Style(StyleFields):
         How layers of marks are drawn.  A layer takes the first element that is for it, or the defaults.
     lines : list of LineStyle
         Which lines are drawn, and how, for items that have a `LineSet`.
+    lights : list of Light
+        The lights, up to 8.  An empty list is one light with the fields `light` and `light_space`.
 
     Examples
     --------
@@ -82,6 +88,7 @@ class Style(StyleFields):
         self._tone: Optional[ToneFunction] = None
         self._layers: List[LayerStyle] = []
         self._lines: List[LineStyle] = []
+        self._lights: List[Light] = []
         if preset is None:
             self._struct = new_struct("hrbfnpr_style")
         else:
@@ -102,7 +109,8 @@ class Style(StyleFields):
         struct = self._struct
         self._layers = [LayerStyle._from_struct(each) for each in _elements(struct, "layer")]
         self._lines = [LineStyle._from_struct(each) for each in _elements(struct, "line")]
-        for name in ("layer", "line"):
+        self._lights = [Light._from_struct(each) for each in _elements(struct, "light")]
+        for name in _LISTS:
             setattr(struct, f"{name}s", ffi.NULL)
             setattr(struct, f"{name}_count", 0)
             setattr(struct, f"{name}_stride", 0)
@@ -147,6 +155,19 @@ class Style(StyleFields):
             if not isinstance(line, LineStyle):
                 raise TypeError(f"lines must be hrbfnpr.LineStyle objects or kinds, not {type(line).__name__}")
         self._lines = lines
+
+    @property
+    def lights(self) -> List[Light]:
+        """The lights, up to 8.  An empty list is one light with the fields `light` and `light_space`."""
+        return self._lights
+
+    @lights.setter
+    def lights(self, value: Iterable[Light]) -> None:
+        lights = list(value)
+        for light in lights:
+            if not isinstance(light, Light):
+                raise TypeError(f"lights must be hrbfnpr.Light objects, not {type(light).__name__}")
+        self._lights = lights
 
     def layer(self, which: str) -> LayerStyle:
         """Return the element of `layers` for a kind of layers or for a name, to change it.
@@ -212,6 +233,7 @@ class Style(StyleFields):
         copy._preset, copy._tone = self._preset, self._tone
         copy._layers = [style.copy() for style in self._layers]
         copy._lines = [style.copy() for style in self._lines]
+        copy._lights = [light.copy() for light in self._lights]
         copy._struct[0] = self._struct[0]
         copy.update(**fields)
         return copy
@@ -232,7 +254,7 @@ class Style(StyleFields):
                 layer = self.layer(name)
                 for field, part in dict(value).items():
                     setattr(layer, field, part)
-            elif name in self.fields() or name in ("tone", "layers", "lines"):
+            elif name in self.fields() or name in ("tone", "layers", "lines", "lights"):
                 setattr(self, name, value)
             else:
                 raise TypeError(f"Style has no field {name!r}")
@@ -240,7 +262,7 @@ class Style(StyleFields):
     def _values(self) -> Dict[str, Any]:
         values = {name: getattr(self, name) for name in self.fields()}
         return {**values, "tone": self.tone, "layers": [style.copy() for style in self._layers],
-                "lines": [style.copy() for style in self._lines]}
+                "lines": [style.copy() for style in self._lines], "lights": [light.copy() for light in self._lights]}
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Style) and self._values() == other._values()
@@ -259,12 +281,12 @@ class Style(StyleFields):
         """A copy for one drawing, the state of its tone function, and the objects to keep alive."""
         struct = ffi.new("hrbfnpr_style *", self._struct[0])
         keep = [struct]
-        lists: Tuple[Tuple[str, Sequence[KindStyle]], ...] = (("layer", self._layers), ("line", self._lines))
-        for name, styles in lists:
-            structs = new_list(f"hrbfnpr_{name}_style", len(styles))
-            keep += [structs, *(style._fill(ffi.addressof(structs, i)) for i, style in enumerate(styles))]
+        lists: Tuple[Sequence[StylePart], ...] = (self._layers, self._lines, self._lights)
+        for (name, kind), parts in zip(_LISTS.items(), lists):
+            structs = new_list(kind, len(parts))
+            keep += [structs, *(part._fill(ffi.addressof(structs, i)) for i, part in enumerate(parts))]
             setattr(struct, f"{name}s", structs)
-            setattr(struct, f"{name}_count", len(styles))
+            setattr(struct, f"{name}_count", len(parts))
         if self._tone is None:
             return struct, None, keep
         state = CallbackState(self._tone)
@@ -277,7 +299,7 @@ def _elements(style: Any, name: str) -> List[Any]:
     """The structs of a list in a hrbfnpr_style."""
     first, count = getattr(style, f"{name}s"), getattr(style, f"{name}_count")
     stride = getattr(style, f"{name}_stride") or (first.struct_size if count else 0)
-    kind = f"hrbfnpr_{name}_style *"
+    kind = f"{_LISTS[name]} *"
     return [ffi.cast(kind, ffi.cast("char *", first) + i * stride)[0] for i in range(count)]
 
 

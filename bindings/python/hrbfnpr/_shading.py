@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: MIT
+"""Occlusion and cast shadows."""
+from __future__ import annotations
+
+from typing import Optional
+
+from ._camera import Camera
+from ._context import Context, resolve
+from ._errors import new_struct
+from ._handles import Owner
+from ._item import Item, Items, as_items, prepared
+from ._library import ffi, lib
+from ._operation import Operation, Progress, make
+
+
+class Occluders(Owner):
+    """The surfaces that cast shadows and hide the sky: those of all items that have a line set, at their transforms.
+
+    Walls thinner than a cell of the line set may let light through.  Occluders never change, and several threads may use
+    them at the same time.
+
+    Parameters
+    ----------
+    items : Item, or an iterable of these
+        The items.
+    progress, operation, context
+        As in `Model.fit`.
+
+    Raises
+    ------
+    InvalidArgumentError
+        If no item has a line set.
+    """
+
+    def __init__(
+        self, items: Items, *, progress: Optional[Progress] = None, operation: Optional[Operation] = None,
+        context: Optional[Context] = None,
+    ) -> None:  # fmt: skip
+        context = resolve(context)
+        chosen = as_items(items)
+        made = prepared(chosen, shaded=False)
+        given = context._handle, made.structs, len(chosen), 0
+        super().__init__(make("occluders", lib.hrbfnpr_occluders_create, given, operation, progress, context._handle, context))
+        del made
+
+
+class Shading(Owner):
+    """How much of the sky and of each light with a shadow the marks of an item see.
+
+    It holds for the item's point set, transform and lights, and for the occluders, and for any camera.  Only lights in the
+    space of the camera move with it.
+
+    Parameters
+    ----------
+    occluders : Occluders
+        What casts shadows.
+    item : Item
+        The item; give the result as its `shading`.
+    camera : Camera, optional
+        The camera, for lights in its space that cast shadows.
+    occlusion_reach : float
+        Distance beyond which nothing hides the sky, in diagonals of the box around all occluders, 0 to 100.  0: no
+        occlusion.
+    sky_rays, shadow_rays : int
+        Numbers of rays by which a mark sees the sky, and a light in whose penumbra it is; 1 to 4096.
+    previous : Shading, optional
+        A shading of the same item and occluders, but for other lights, whose occlusion is taken.  None: it is computed.
+    progress, operation, context
+        As in `Model.fit`.
+
+    Examples
+    --------
+    >>> style = hrbfnpr.Style("engraving", ambient_sky=0.4)
+    >>> style.lights = [hrbfnpr.Light(place=(-1, 1, 1), space="world", intensity=0.8, shadow=1, softness=0.05)]
+    >>> item = hrbfnpr.Item(marks, style, line_set=lines)
+    >>> item.shading = hrbfnpr.Shading(hrbfnpr.Occluders(item), item)
+    """
+
+    def __init__(
+        self, occluders: Occluders, item: Item, camera: Optional[Camera] = None, *, occlusion_reach: float = 0.35,
+        sky_rays: int = 64, shadow_rays: int = 32, previous: Optional[Shading] = None, progress: Optional[Progress] = None,
+        operation: Optional[Operation] = None, context: Optional[Context] = None,
+    ) -> None:  # fmt: skip
+        context = resolve(context)
+        made = prepared([item], shaded=False)
+        desc = new_struct("hrbfnpr_shading_desc")
+        desc.occlusion_reach, desc.sky_rays, desc.shadow_rays = occlusion_reach, sky_rays, shadow_rays
+        desc.previous = ffi.NULL if previous is None else previous._handle
+        seen_from = ffi.NULL if camera is None else camera._struct
+        given = context._handle, occluders._handle, made.structs, seen_from, desc
+        super().__init__(make("shading", lib.hrbfnpr_shading_create, given, operation, progress, context._handle, context))
+        del made

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+"""Occluders and shadings."""
+import pytest
+from conftest import torus
+
+import hrbfnpr
+
+
+@pytest.fixture(scope="module")
+def model():
+    points, normals = torus()
+    return hrbfnpr.Model.fit(points, normals)
+
+
+def shown(model, item):
+    camera = hrbfnpr.Camera.fit(model, (0.3, 1, -0.7), (0, 0, 1), size=(200, 160))
+    return hrbfnpr.Renderer().draw(item, camera).info.shown
+
+
+def test_hollows_are_darker_and_shadows_are_cast(model):
+    style = hrbfnpr.Style(ambient_sky=0.3, ambient_ground=0.3, fill_light=0)
+    style.lights = [hrbfnpr.Light(place=(0, 1, 0.2), space="world", intensity=0.5)]
+    item = hrbfnpr.Item(model.generate(budget=3000), style, line_set=hrbfnpr.LineSet(model))
+    plain = shown(model, item)
+    occluders = hrbfnpr.Occluders(item)
+    with hrbfnpr.Shading(occluders, item) as shading:
+        item.shading = shading
+        hollow = shown(model, item)
+        assert hollow > plain
+        style.lights[0].shadow = 1
+        item.shading = hrbfnpr.Shading(occluders, item, previous=shading)
+        assert shown(model, item) > hollow
+        item.shading = shading
+    with pytest.raises(ValueError, match="this Shading is closed"):
+        shown(model, item)
+    hrbfnpr.Occluders(item)  # neither uses the shading of the item, which is closed
+    item.shading = hrbfnpr.Shading(occluders, item, sky_rays=16)
+    assert shown(model, item) > plain
+
+
+def test_what_is_wrong_is_named(model):
+    marks = model.generate(budget=100)
+    item = hrbfnpr.Item(marks, line_set=hrbfnpr.LineSet(model))
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="line_set"):
+        hrbfnpr.Occluders(marks)
+    occluders = hrbfnpr.Occluders(item)
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="sky_rays"):
+        hrbfnpr.Shading(occluders, item, sky_rays=0)
+    operation = hrbfnpr.Operation()
+    operation.cancel()
+    for call in (lambda: hrbfnpr.Occluders(item, operation=operation),
+                 lambda: hrbfnpr.Shading(occluders, item, operation=operation)):  # fmt: skip
+        with pytest.raises(hrbfnpr.CancelledError):
+            call()
