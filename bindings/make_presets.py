@@ -208,9 +208,9 @@ Each named style sets all fields of a style. Use it as it is, or change fields a
 the same model, fitted to 1100 samples; the command is below its picture. To see your own model in all styles, run
 `python3 -m hrbfnpr sheet model.ply styles.png`.
 
-[frames.md](frames.md), [hatching.md](hatching.md) and [lines.md](lines.md) explain the fields. A field that a table below
-does not name has its default. `bindings/generate` writes this page from the table `bindings/presets.py`, and
-`docs/preset_pictures.py` draws the pictures.
+[frames.md](frames.md), [light.md](light.md), [hatching.md](hatching.md) and [lines.md](lines.md) explain the fields. A
+field that a table below does not name has its default. `bindings/generate` writes this page from the table
+`bindings/presets.py`, and `docs/preset_pictures.py` draws the pictures.
 
 """
 PAGE_FOOT = """## The model

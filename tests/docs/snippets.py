@@ -39,7 +39,14 @@ SECTIONS = {
     ("docs/python.md", "Many processes"): "tests/python/test_batch.py",
     ("docs/python.md", "Notebooks"): "tests/python/test_notebook.py",
 }
-HERE_PYTHON = {"docs/csg.md", "docs/fitting.md", "docs/hatching.md", "docs/lines.md", "docs/vectors.md"}
+HERE_PYTHON = {
+    "docs/csg.md",
+    "docs/fitting.md",
+    "docs/hatching.md",
+    "docs/light.md",
+    "docs/lines.md",
+    "docs/vectors.md",
+}
 PROGRAMS = set(
     (
         "apt-get blender cc cd cmake cp ctest export g++ git godot3-runner hrbfnpr-view mcs mkdir node npm npx pip"

@@ -199,7 +199,7 @@ TEST_F(SettingsTest, InvalidValuesAreNamed) {
         {R"("pen": "thick")", "pen: a number from 0 to 100 is needed, not \"thick\""},
         {R"("pen": true)", "pen: a number from 0 to 100 is needed, not true"},
         {R"("style": 1)", "style: an object is needed, not 1"},
-        {R"("style": {"radiuss": 1})", "style.radiuss: there is no such field; there are tone, paper"},
+        {R"("style": {"radiuss": 1})", "style.radiuss: there is no such field; there are rim_light, rim_exponent, tone"},
         {R"("style": {"halo": 1})", "style.halo: there is no such field; there are halo_width"},
         {R"("style": {"tone": "loud"})", "style.tone: one of none, light is needed, not \"loud\""},
         {R"("style": {"tone": 1})", "style.tone: one of none, light is needed, not 1"},
