@@ -47,6 +47,8 @@ struct Style {
         style.tone_function = input.once_in(8) ? nullptr : tone;
         style.tone_user = &number;
         if (input.once_in(6)) style.visibility = HRBFNPR_VISIBILITY_PUBLISHED;
+        for (std::size_t more = input.once_in(3) ? 1 + input.below(9) : 0; more > 0; --more) add_light(input);
+        if (input.once_in(3)) style.ambient_sky = static_cast<float>(input.unit());
         change_fields(input, "hrbfnpr_style", &style);
         refer();
     }
@@ -75,7 +77,20 @@ private:
         }
         lines.push_back(line);
     }
+    void add_light(Input& input) {
+        hrbfnpr_light light;
+        hrbfnpr_light_init(&light, sizeof light);
+        light.kind = static_cast<std::uint32_t>(input.below(2));
+        light.space = static_cast<std::uint32_t>(input.below(3));
+        light.shadow = static_cast<float>(input.unit());
+        light.softness = input.once_in(2) ? 0.1F : 0.0F;
+        if (input.once_in(2)) change_fields(input, "hrbfnpr_light", &light);
+        lights.push_back(light);
+    }
     void refer() {
+        style.lights = lights.data();
+        style.light_count = static_cast<std::int64_t>(lights.size());
+        style.light_stride = sizeof(hrbfnpr_light);
         style.layers = layers.data();
         style.layer_count = static_cast<std::int64_t>(layers.size());
         style.layer_stride = sizeof(hrbfnpr_layer_style);
@@ -87,6 +102,7 @@ private:
     static constexpr double levels[] = {0.1, 0.6};
     std::vector<hrbfnpr_layer_style> layers;
     std::vector<hrbfnpr_line_style> lines;
+    std::vector<hrbfnpr_light> lights;
     float number = 0.5F;
 };
 
@@ -183,6 +199,30 @@ hrbfnpr_drawing* draw(hrbfnpr_renderer* renderer, std::span<const hrbfnpr_item> 
     return drawing;
 }
 
+// Returns how much light reaches the marks of the first item, or null.
+hrbfnpr_shading* some_shading(std::span<const hrbfnpr_item> items, const hrbfnpr_camera& camera, Input& input) {
+    hrbfnpr_occluders* occluders = nullptr;
+    Call gather("occluders_create");
+    const bool gathered = gather.expect(
+        hrbfnpr_occluders_create(scene_context().handle, items.data(), static_cast<std::int64_t>(items.size()),
+                                 sizeof(hrbfnpr_item), nullptr, &occluders, gather.error()),
+        failures);
+    if (!gathered) return nullptr;
+    hrbfnpr_shading_desc desc;
+    hrbfnpr_shading_desc_init(&desc, sizeof desc);
+    desc.sky_rays = desc.shadow_rays = 4;
+    if (input.once_in(3)) change_fields(input, "hrbfnpr_shading_desc", &desc);
+    desc.sky_rays = std::min(desc.sky_rays, 64); // The fuzzer would spend its time on rays.
+    desc.shadow_rays = std::min(desc.shadow_rays, 64);
+    hrbfnpr_shading* shading = nullptr;
+    Call call("shading_create");
+    call.expect(hrbfnpr_shading_create(scene_context().handle, occluders, items.data(),
+                                       input.once_in(8) ? nullptr : &camera, &desc, nullptr, &shading, call.error()),
+                failures);
+    hrbfnpr_occluders_release(occluders);
+    return shading;
+}
+
 void use(const hrbfnpr_drawing* drawing, const hrbfnpr_camera& camera, Input& input) {
     if (drawing == nullptr) return;
     require_sound_drawing(drawing);
@@ -209,6 +249,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     hrbfnpr_renderer* renderer = nullptr;
     Call create("renderer_create");
     create.expect(hrbfnpr_renderer_create(scene_context().handle, &renderer, create.error()));
+    hrbfnpr_shading* const shading = input.once_in(4) ? some_shading(items, camera, input) : nullptr;
+    if (shading != nullptr) items[input.below(items.size())].shading = shading;
     hrbfnpr_drawing* const first = draw(renderer, items, camera, input, ending);
     use(first, camera, input);
     if (input.once_in(3)) { // the lines start from those of the first drawing
@@ -219,6 +261,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         hrbfnpr_drawing_release(second);
     }
     hrbfnpr_drawing_release(first);
+    hrbfnpr_shading_release(shading);
     hrbfnpr_renderer_release(renderer);
     return 0;
 }
