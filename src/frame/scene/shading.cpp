@@ -2,12 +2,14 @@
 #include "frame/scene/shading.h"
 
 #include "base/assert.h"
+#include "base/status.h"
 #include "frame/scene/tuning.h"
 #include "light/light.h"
 
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace hrbfnpr::frame {
 namespace {
@@ -122,6 +124,10 @@ Casters casters_of(const base::Work& work, std::span<const Caster> casters) {
     for (const Caster& caster : casters) {
         const auto first = static_cast<std::int32_t>(vertex.size());
         const curves::SurfaceMesh& mesh = *caster.mesh;
+        if (mesh.vertices() > std::numeric_limits<std::int32_t>::max() - vertex.size())
+            fail(Status::invalid_argument,
+                 "the line sets of all items together have more than 2147483647 vertices; make them with a larger "
+                 "cell_size");
         for (std::int64_t i = 0; i < mesh.vertices(); ++i)
             vertex.push_back(glm::dvec3(caster.to_world * glm::dvec4(mesh.position[i], 1.0)));
         for (std::int64_t t = 0; t < mesh.triangles(); ++t)
