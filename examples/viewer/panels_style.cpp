@@ -261,15 +261,36 @@ void marks_panel(App& app, Ui& ui) {
     if (ImGui::Button("Automatic: as the style needs")) app.forget_marks();
 }
 
+namespace {
+
+// Edits the share of the light that comes from the sky and the ground, which is the option --occlusion.
+void edit_occlusion(App& app) {
+    float share = app.choices.number_of("style.ambient");
+    ImGui::SliderFloat("occlusion", &share, 0, 1);
+    if (ImGui::IsItemDeactivatedAfterEdit()) app.change("style.ambient", decimals(static_cast<double>(share)));
+}
+
+} // namespace
+
 void light_panel(App& app) {
     if (app.scene() == nullptr) return;
     const Edited edited{app, style_name, "style", &app.sheet.style};
     edit_field(edited, "tone");
-    slide(edited, "tone_exponent", "tone exponent", 0.1, 4);
+    edit_occlusion(app);
+    slide(edited, "light_shadow", "cast shadows", 0, 1, Counts::when_let_go);
+    slide(edited, "light_softness", "softness of shadows", 0, 0.3, Counts::when_let_go);
     slide(edited, "fill_light", "fill light", 0, 1);
+    slide(edited, "rim_light", "rim light", 0, 1);
     edit_field(edited, "light", "direction to the light");
     edit_field(edited, "light_space");
     ImGui::TextWrapped("Drag the ball in the corner of the picture to turn the light.");
+    if (!ImGui::TreeNode("tone law")) return;
+    slide(edited, "tone_exponent", "tone exponent", 0.1, 4);
+    slide(edited, "tone_black", "black point", 0, 0.9);
+    slide(edited, "tone_white", "white point", 0.1, 2);
+    slide(edited, "tone_gamma", "gamma", 0.2, 4);
+    slide(edited, "tone_steps", "flat tones", 0, 6);
+    ImGui::TreePop();
 }
 
 } // namespace viewer

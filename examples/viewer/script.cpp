@@ -109,6 +109,8 @@ bool Script::run(const std::vector<std::string>& words, App& app, Ui& ui, Window
         app.load_formula(text);
     else if (name == "style")
         app.use_style(text);
+    else if (name == "change")
+        app.change(words.at(1), words.at(2));
     else if (name == "settings")
         app.load_settings(text);
     else if (name == "save")

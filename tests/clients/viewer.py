@@ -164,6 +164,17 @@ undo
 brush off
 wait
 save undone.png
+open Light
+change style.light -1,0.2,0.1
+wait
+save lit.png
+change style.light_shadow 1
+wait
+save shadowed.png
+change style.ambient 1
+wait
+save shaded.json
+shot shaded.png
 turn 10
 style silhouette
 wait
@@ -241,6 +252,9 @@ def check_paint(view, printed):
     turned, painted, undone = (view.pixels(f"{name}.png") for name in ("turned", "painted", "undone"))
     check(f"painting changed {ink_of(turned)} to {ink_of(painted)}", ink_of(painted) > 1.01 * ink_of(turned))
     check("undoing it did not bring the picture back", undone == turned)
+    lit, shadowed, style = view.pixels("lit.png"), view.pixels("shadowed.png"), json.loads(view.text("shaded.json"))["style"]
+    check(f"cast shadows changed {ink_of(lit)} to {ink_of(shadowed)}", ink_of(shadowed) > 1.02 * ink_of(lit))
+    check(f"the settings have no shadow, but {style}", style["light_shadow"] == 1 and style["ambient_sky"] > 0)
     dabs = json.loads(view.text("painted.json"))["paint"]
     check(f"{len(dabs)} dabs of a stroke", len(dabs) > 4 and f"dabs: {len(dabs)}" in printed)
 
