@@ -79,6 +79,15 @@ async function styles() {
     if (id !== "hidden") assert.notEqual((await picture(page)).hash, before, id);
   }
   await screenshot(page, "changed");
+  for (const id of ["occlusion", "shadow"]) {
+    const unshaded = (await picture(page)).hash;
+    const frames = Number(await told(page, "frames"));
+    await set(page, id, 1);
+    await page.waitForFunction((old) => Number(document.documentElement.dataset.frames) > old, frames + 1);
+    await settled(page);
+    assert.notEqual((await picture(page)).hash, unshaded, id);
+  }
+  await screenshot(page, "shaded");
   const before = await picture(page);
   await set(page, "angle", 60);
   await page.waitForFunction(() => /angle=60/.test(location.hash));

@@ -10,7 +10,7 @@ import { compileModule, Painter } from "./workers.js";
 const MOVING = 160; // A picture is drawn in full after this many ms without a change.
 const SLOW = 45; // Moving pictures are drawn smaller if a frame takes more ms than this.
 const RESTING = 250; // A new picture is made after this many ms without a change.
-const MAKING = ["model", "preset", "marks", "angle"]; // A change of these settings needs a new picture.
+const MAKING = ["model", "preset", "marks", "angle", "occlusion", "shadow"]; // A change of these settings needs a new picture.
 
 const files = new Map(); // the model files of the page, by the name of the scene
 
@@ -44,8 +44,8 @@ function complain(text) {
 function pictureRequest() {
   const ratio = window.devicePixelRatio || 1;
   const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((side) => Math.max(Math.round(side * ratio), 16));
-  const { preset, marks, angle } = settings;
-  return { key: [source.key, preset, marks, angle, width, height].join("|"), source, settings: { ...settings },
+  const making = MAKING.slice(1).map((key) => settings[key]);
+  return { key: [source.key, ...making, width, height].join("|"), source, settings: { ...settings },
            size: { width, height } };
 }
 

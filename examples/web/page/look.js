@@ -9,10 +9,16 @@ const straight = (colour, alpha) =>
   [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16) / 255).concat(alpha);
 
 /** Returns the options of a picture. The library chooses all options that are not set here. */
-export function optionsOf({ preset, marks, angle }, { width, height }) {
+export function optionsOf({ preset, marks, angle, occlusion, shadow }, { width, height }) {
+  const set = { ...(marks > 0 ? { "marks.layers.budget": marks } : {}),
+                ...(occlusion > 0 ? { "style.ambient": occlusion } : {}),
+                ...(shadow > 0 ? { "style.light_shadow": shadow } : {}) };
   return { style: preset, width, height, hatchAngle: angle, allowBlank: true,
-           ...(marks > 0 ? { set: { "marks.layers.budget": marks } } : {}) };
+           ...(Object.keys(set).length > 0 ? { set } : {}) };
 }
+
+/** Returns whether the marks of a picture need a shading. */
+export const isShaded = ({ occlusion, shadow }) => occlusion > 0 || shadow > 0;
 
 /** Returns the direction to the light in camera space: x right, y up, z to the eye. */
 export function lightOf({ lx, ly }) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // This worker makes pictures, and draws frames of the last one. The page terminates it to cancel.
 import { PICTURE, SOURCE, load } from "./hrbfnpr/src/index.js";
-import { cameraOf, optionsOf, scaled, styleOf } from "./look.js";
+import { cameraOf, isShaded, optionsOf, scaled, styleOf } from "./look.js";
 import { readShape } from "./readers/read.js";
 import { buildScene } from "./scenes.js";
 
@@ -9,7 +9,9 @@ const LATER = ["marks", "lines"]; // A change of style runs these stages again.
 
 let library;
 let context;
-let held; // the shown picture: { key, source, facts, notes, picture, parts, style, renderer }
+// The shown picture: { key, source, facts, notes, picture, parts, style, renderer }; if it is shaded, { occluders, shadings,
+// lit }, too
+let held;
 
 /** Returns the input of Context.draw. */
 function inputOf({ scene, saved, name, bytes }) {
@@ -51,7 +53,9 @@ class Watch {
   };
 }
 
-function letGo({ picture, parts, renderer }) {
+function letGo({ picture, parts, renderer, occluders, shadings = [] }) {
+  for (const shading of shadings) shading.free();
+  occluders?.free();
   for (const { model, pointSet, lineSet, mesh } of parts)
     for (const handle of [model, pointSet, lineSet, mesh]) handle?.free();
   renderer.free();
@@ -75,11 +79,25 @@ function make({ key, source, settings, size }) {
   postMessage({ type: "picture", key, facts, notes: [...new Set([...notes, ...told])] });
 }
 
+/** Gives the items their shadings. New ones are made if the light has moved, which moves with the camera. */
+function shade(items, camera) {
+  held.occluders ??= context.createOccluders(items);
+  const lit = JSON.stringify([items[0].style.light, camera.view]);
+  if (held.lit !== lit) {
+    const before = held.shadings ?? [];
+    held.shadings = items.map((item, at) => held.occluders.createShading(item, { camera, previous: before[at] }));
+    held.lit = lit;
+    for (const shading of before) shading.free();
+  }
+  items.forEach((item, at) => { item.shading = held.shadings[at]; });
+}
+
 /** Calls use(drawing, camera), and frees the drawing. */
 function drawn({ settings, scale }, use) {
   const style = scaled(styleOf(held.style, settings), scale);
   const camera = cameraOf(held.picture, settings, scale);
   const items = held.parts.map(({ pointSet, lineSet, sides }) => ({ pointSet, lineSet, sides, style }));
+  if (isShaded(settings)) shade(items, camera);
   const drawing = held.renderer.draw(items, camera);
   try {
     return use(drawing, camera);

@@ -12,6 +12,8 @@ export const SETTINGS = {
   contour: { value: 1, min: 0, max: 3, step: 0.1, label: "Contours", unit: "×" },
   tone: { value: 1, min: 0.3, max: 3, step: 0.1, label: "Darkness" },
   fill: { value: 0, min: 0, max: 1, step: 0.05, label: "Fill light" },
+  occlusion: { value: 0, min: 0, max: 1, step: 0.05, label: "Occlusion" },
+  shadow: { value: 0, min: 0, max: 1, step: 0.05, label: "Cast shadows" },
   hidden: { value: "preset", choices: { preset: "as in the preset", none: "not drawn", attenuated: "paler",
                                         dashed: "dashed", shown: "drawn" }, label: "Hidden lines" },
   ink: { value: "", label: "Ink" },
