@@ -2460,6 +2460,13 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_shading_create(hrbfnpr_context* context, cons
                                                   const hrbfnpr_item* item, const hrbfnpr_camera* camera,
                                                   const hrbfnpr_shading_desc* desc, hrbfnpr_operation* operation,
                                                   hrbfnpr_shading** out_shading, hrbfnpr_error* error);
+/* Gets what the marks of a layer see, without a copy: FLOAT32, n x 1, in the order of the marks.  1 = all, 0 = nothing.
+ * `light` is the number of a light of the style, from 0, that casts shadows; -1 = the openness, the share of the sky.
+ * The view is valid as long as the shading.
+ *
+ * Errors: INVALID_ARGUMENT (there is no such layer; the light casts no shadow; the occlusion was not computed). */
+HRBFNPR_API hrbfnpr_status hrbfnpr_shading_view(const hrbfnpr_shading* shading, int64_t layer, int64_t light,
+                                                hrbfnpr_array* out_view, hrbfnpr_error* error);
 /* Adds a reference.  Any thread may call it; NULL is ignored. */
 HRBFNPR_API void hrbfnpr_shading_retain(const hrbfnpr_shading* shading);
 /* Releases a reference.  Any thread may call it; NULL is ignored. */

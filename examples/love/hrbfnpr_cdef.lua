@@ -354,7 +354,8 @@ hrbfnpr_status hrbfnpr_shading_desc_init(hrbfnpr_shading_desc* desc, uint32_t st
 hrbfnpr_status hrbfnpr_shading_create(hrbfnpr_context* context, const hrbfnpr_occluders* occluders,
     const hrbfnpr_item* item, const hrbfnpr_camera* camera, const hrbfnpr_shading_desc* desc,
     hrbfnpr_operation* operation, hrbfnpr_shading** out_shading, hrbfnpr_error* error);
-void hrbfnpr_shading_retain(const hrbfnpr_shading* shading);
+hrbfnpr_status hrbfnpr_shading_view(const hrbfnpr_shading* shading, int64_t layer, int64_t light,
+    hrbfnpr_array* out_view, hrbfnpr_error* error); void hrbfnpr_shading_retain(const hrbfnpr_shading* shading);
 void hrbfnpr_shading_release(const hrbfnpr_shading* shading);
 hrbfnpr_status hrbfnpr_renderer_draw(hrbfnpr_renderer* renderer, const hrbfnpr_item* items, int64_t item_count,
     int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_drawing** out_drawing, hrbfnpr_error* error);

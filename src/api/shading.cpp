@@ -77,6 +77,21 @@ hrbfnpr_shading* create(hrbfnpr_context& context, const hrbfnpr_occluders& occlu
         frame::find_shading({context.runtime, use.progress()}, occluders.casters, shaded, settings)));
 }
 
+hrbfnpr_array view_of(const frame::Shading& shading, std::int64_t layer, std::int64_t light) {
+    if (layer < 0 || layer >= shading.layers.size())
+        fail(Status::invalid_argument, "layer is %lld; it must be at least 0 and below the number of layers, %lld",
+             static_cast<long long>(layer), static_cast<long long>(shading.layers.size()));
+    if (light < -1 || light >= frame::most_lights)
+        fail(Status::invalid_argument, "light is %lld; it must be from -1 to %lld", static_cast<long long>(light),
+             static_cast<long long>(frame::most_lights - 1));
+    const std::span<const float> shares = shading.of_layer(layer, light);
+    if (shares.empty() && light < 0)
+        fail(Status::invalid_argument, "light is -1; the shading has no occlusion, because occlusion_reach was 0");
+    if (shares.empty())
+        fail(Status::invalid_argument, "light is %lld; this light casts no shadow", static_cast<long long>(light));
+    return {shares.data(), static_cast<std::int64_t>(shares.size()), sizeof(float), HRBFNPR_SCALAR_FLOAT32, 1};
+}
+
 } // namespace
 
 template <>
@@ -119,6 +134,15 @@ hrbfnpr_status hrbfnpr_shading_create(hrbfnpr_context* context, const hrbfnpr_oc
         return api::create(api::deref(context, "context"), api::deref(occluders, "occluders"),
                            api::read_struct(item, "item"), camera, api::read_optional_struct(desc, "shading_desc"),
                            operation);
+    });
+}
+
+hrbfnpr_status hrbfnpr_shading_view(const hrbfnpr_shading* shading, int64_t layer, int64_t light,
+                                    hrbfnpr_array* out_view, hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        const frame::Shading& found = api::deref(shading, "shading").shading;
+        api::require_pointer(out_view, "out_view");
+        *out_view = api::view_of(found, layer, light);
     });
 }
 

@@ -137,6 +137,38 @@ TEST_F(Shadings, TakeOcclusionFromAnEarlierOne) {
     EXPECT_EQ(shown(items[0]), from_above);
 }
 
+TEST_F(Shadings, ShowWhatTheMarksSee) {
+    ASSERT_OK(shade(items[0]));
+    hrbfnpr_array position{}, open{}, lit{};
+    ASSERT_OK(hrbfnpr_point_set_view(set.get(), 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, &position, error));
+    ASSERT_OK(hrbfnpr_shading_view(shading.get(), 0, -1, &open, error));
+    ASSERT_OK(hrbfnpr_shading_view(shading.get(), 0, 0, &lit, error));
+    ASSERT_EQ(open.count, position.count);
+    ASSERT_EQ(lit.count, position.count);
+    const auto* const at = static_cast<const float*>(position.data);
+    for (std::int64_t i = 0; i < position.count; ++i) {
+        // The light comes from above, where the other ball is as wide as this one.
+        const float height = at[3 * i + 1], aside = std::hypot(at[3 * i], at[3 * i + 2]);
+        if (height > 0.05F && aside < 0.95F) {
+            EXPECT_EQ(static_cast<const float*>(lit.data)[i], 0.0F) << i;
+        }
+        if (height < -0.5F) {
+            EXPECT_EQ(static_cast<const float*>(open.data)[i], 1.0F) << i;
+        }
+    }
+    EXPECT_FAILS(hrbfnpr_shading_view(shading.get(), 1, 0, &open, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "layer is 1");
+    EXPECT_FAILS(hrbfnpr_shading_view(shading.get(), 0, 1, &open, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "light is 1; this light casts no shadow");
+    EXPECT_FAILS(hrbfnpr_shading_view(shading.get(), 0, 8, &open, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "light is 8; it must be from -1 to 7");
+    auto none = made(hrbfnpr_shading_desc_init);
+    none.occlusion_reach = 0.0;
+    ASSERT_OK(shade(items[0], &none));
+    EXPECT_FAILS(hrbfnpr_shading_view(shading.get(), 0, -1, &open, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "the shading has no occlusion");
+}
+
 TEST_F(Shadings, OfLightsInCameraSpaceNeedTheCamera) {
     light.space = HRBFNPR_LIGHT_CAMERA;
     EXPECT_FAILS(shade(items[0]), HRBFNPR_STATUS_INVALID_ARGUMENT, "camera is NULL");

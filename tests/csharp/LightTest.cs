@@ -162,6 +162,10 @@ namespace HrbfNpr.Tests
                     Assert.Equal(reports.Seen.OrderBy(at => at).ToArray(), reports.Seen.ToArray());
                     Assert.Equal(1.0, reports.Seen.Last());
                     Assert.True(Shown(below) > lit + 100);
+                    Assert.Equal(new[] { 0f, 1f }, below.Shading.Visible().Distinct().OrderBy(share => share).ToArray());
+                    Assert.InRange(below.Shading.Openness().Min(), 0f, 0.95f);
+                    Assert.Throws<ArgumentOutOfRangeException>(() => below.Shading.Visible(-1));
+                    Assert.Contains("casts no shadow", Refused(() => below.Shading.Visible(1)));
                     style.Lights[0].Shadow = 0;
                     Assert.Equal(lit, Shown(below));
                     style.Lights[0].Shadow = 1;

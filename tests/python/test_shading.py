@@ -27,9 +27,13 @@ def test_hollows_are_darker_and_shadows_are_cast(model):
         item.shading = shading
         hollow = shown(model, item)
         assert hollow > plain
+        assert len(shading.openness()) == len(item.point_set.layers[0]) and 0 < min(shading.openness()) < 0.9
+        with pytest.raises(hrbfnpr.InvalidArgumentError, match="casts no shadow"):
+            shading.visible(0)
         style.lights[0].shadow = 1
         item.shading = hrbfnpr.Shading(occluders, item, previous=shading)
         assert shown(model, item) > hollow
+        assert {*item.shading.visible(0)} == {0, 1}
         item.shading = shading
     with pytest.raises(ValueError, match="this Shading is closed"):
         shown(model, item)

@@ -284,6 +284,11 @@ void add_point_sets(std::map<std::string, Call>& calls) {
         hrbfnpr_drawing_get_info(drawing, &info, nullptr);
         result.add(info.shown);
     });
+    CALL(hrbfnpr_shading_view) {
+        hrbfnpr_array view{};
+        status = hrbfnpr_shading_view(s.shading.get(), 0, 0, &view, error);
+        result.add(view.data);
+    });
     RETAIN_AND_RELEASE(point_set, s.marks);
     INFO(hrbfnpr_point_set_get_info, hrbfnpr_point_set_info, s.marks);
     CALL(hrbfnpr_point_set_get_layer_info) {

@@ -60,6 +60,42 @@ namespace HrbfNpr
             }
         }
 
+        /// <summary>Copies the shares of the sky that the marks of a layer see.</summary>
+        /// <param name="layer">The number of the layer in the point set.</param>
+        /// <returns>A number from 0 to 1 for each mark; 1 = the whole sky.</returns>
+        /// <exception cref="InvalidArgumentException">There is no such layer, or no occlusion was
+        /// computed.</exception>
+        public float[] Openness(int layer = 0)
+        {
+            return Seen(layer, -1);
+        }
+
+        /// <summary>Copies the shares of a light that reach the marks of a layer past shadows.</summary>
+        /// <param name="light">The number of the light among those of the style.</param>
+        /// <param name="layer">The number of the layer in the point set.</param>
+        /// <returns>A number from 0 to 1 for each mark; 1 = all of the light.</returns>
+        /// <exception cref="InvalidArgumentException">There is no such layer, or the light casts no
+        /// shadow.</exception>
+        public float[] Visible(int light = 0, int layer = 0)
+        {
+            if (light < 0)
+            {
+                throw new ArgumentOutOfRangeException(nameof(light), light, "light must be at least 0");
+            }
+            return Seen(layer, light);
+        }
+
+        private float[] Seen(int layer, int light)
+        {
+            hrbfnpr_array view;
+            hrbfnpr_error error = Errors.New();
+            Errors.Check(NativeMethods.hrbfnpr_shading_view(handle, layer, light, &view, &error), &error);
+            float[] copy = new float[checked((int)view.count)];
+            System.Runtime.InteropServices.Marshal.Copy((IntPtr)view.data, copy, 0, copy.Length);
+            GC.KeepAlive(this);
+            return copy;
+        }
+
         internal ShadingHandle Handle
         {
             get { return handle; }

@@ -257,6 +257,8 @@ export class Occluders extends Handle {
  *  set, transform and lights, and for the occluders, and for any camera.  Only lights in camera space move with it. */
 export class Shading extends Handle {
   readonly context: Context;
+  /** Copies what the marks of a layer see of a light of the style, or, if `light` is -1, of the sky: 1 = all. */
+  view(layer?: number, light?: number): Float32Array;
 }
 
 /** Triangles that have been repaired. */

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Optional
 
+from ._arrays import Array, wrap
 from ._camera import Camera
 from ._context import Context, resolve
-from ._errors import new_struct
+from ._errors import check, new_error, new_struct
 from ._handles import Owner
 from ._item import Item, Items, as_items, prepared
 from ._library import ffi, lib
@@ -90,3 +91,32 @@ class Shading(Owner):
         given = context._handle, occluders._handle, made.structs, seen_from, desc
         super().__init__(make("shading", lib.hrbfnpr_shading_create, given, operation, progress, context._handle, context))
         del made
+
+    def _seen(self, layer: int, light: int) -> Array:
+        result, error = ffi.new("hrbfnpr_array *"), new_error()
+        check(lib.hrbfnpr_shading_view(self._handle, layer, light, result, error), error)
+        return wrap(result, self._handle)
+
+    def openness(self, layer: int = 0) -> Array:
+        """Return the shares of the sky that the marks of a layer see, float32 (n,), read-only, 0 to 1.
+
+        Raises
+        ------
+        InvalidArgumentError
+            If there is no such layer, or `occlusion_reach` was 0.
+        """
+        return self._seen(layer, -1)
+
+    def visible(self, light: int = 0, layer: int = 0) -> Array:
+        """Return the shares of a light that reach the marks of a layer past shadows, float32 (n,), read-only, 0 to 1.
+
+        `light` is the number of the light among those of the style.
+
+        Raises
+        ------
+        InvalidArgumentError
+            If there is no such layer or light, or the light casts no shadow.
+        """
+        if light < 0:
+            raise ValueError(f"light is {light}; it must be at least 0")
+        return self._seen(layer, light)

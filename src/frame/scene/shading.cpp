@@ -98,6 +98,15 @@ LightShares Shading::in_blocks(std::int64_t layer, std::int64_t first_place) con
     return shares;
 }
 
+std::span<const float> Shading::of_layer(std::int64_t layer, std::int64_t light) const noexcept {
+    const LayerShading& from = layers[layer];
+    if (light < 0) return from.open.span();
+    const std::int32_t number = shadow[static_cast<std::size_t>(light)];
+    if (number < 0) return {};
+    const std::int64_t marks = from.visible.size() / shadows;
+    return from.visible.span().subspan(static_cast<std::size_t>(number * marks), static_cast<std::size_t>(marks));
+}
+
 SeenShares Shading::of_mark(std::int64_t layer, std::int64_t mark) const noexcept {
     const LayerShading& from = layers[layer];
     SeenShares seen;

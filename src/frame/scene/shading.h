@@ -41,6 +41,8 @@ struct Shading {
 
     // Returns the shares of marks, beginning with a place in the order of the blocks.
     [[nodiscard]] LightShares in_blocks(std::int64_t layer, std::int64_t first_place) const noexcept;
+    // Returns the shares of all marks of a layer, of a light or, if `light` is -1, of the sky. Empty: they are all 1.
+    [[nodiscard]] std::span<const float> of_layer(std::int64_t layer, std::int64_t light) const noexcept;
     [[nodiscard]] SeenShares of_mark(std::int64_t layer, std::int64_t mark) const noexcept;
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };

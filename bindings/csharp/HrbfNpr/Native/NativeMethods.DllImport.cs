@@ -285,6 +285,9 @@ namespace HrbfNpr
             hrbfnpr_item* item, hrbfnpr_camera* camera, hrbfnpr_shading_desc* desc, OperationHandle operation,
             out IntPtr out_shading, hrbfnpr_error* error);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_shading_view(ShadingHandle shading, long layer, long light,
+            hrbfnpr_array* out_view, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void hrbfnpr_shading_retain(IntPtr shading);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void hrbfnpr_shading_release(IntPtr shading);

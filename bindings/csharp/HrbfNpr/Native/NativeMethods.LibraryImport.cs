@@ -287,6 +287,9 @@ namespace HrbfNpr
             hrbfnpr_item* item, hrbfnpr_camera* camera, hrbfnpr_shading_desc* desc, OperationHandle operation,
             out IntPtr out_shading, hrbfnpr_error* error);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_shading_view(ShadingHandle shading, long layer, long light,
+            hrbfnpr_array* out_view, hrbfnpr_error* error);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial void hrbfnpr_shading_retain(IntPtr shading);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial void hrbfnpr_shading_release(IntPtr shading);

@@ -115,6 +115,7 @@ export const FUNCTIONS = {
   hrbfnpr_occluders_release: "vp",
   hrbfnpr_shading_desc_init: "ipi",
   hrbfnpr_shading_create: "ipppppppp",
+  hrbfnpr_shading_view: "ipjjpp",
   hrbfnpr_shading_retain: "vp",
   hrbfnpr_shading_release: "vp",
   hrbfnpr_renderer_draw: "ippjjppp",

@@ -3553,6 +3553,21 @@ extern "C" {
         out_shading: *mut *mut hrbfnpr_shading,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
+    /// Gets what the marks of a layer see, without a copy: FLOAT32, n x 1, in the order of the
+    /// marks.  1 = all, 0 = nothing.
+    /// `light` is the number of a light of the style, from 0, that casts shadows; -1 = the
+    /// openness, the share of the sky.
+    /// The view is valid as long as the shading.
+    ///
+    /// Errors: INVALID_ARGUMENT (there is no such layer; the light casts no shadow; the occlusion
+    /// was not computed).
+    pub fn hrbfnpr_shading_view(
+        shading: *const hrbfnpr_shading,
+        layer: i64,
+        light: i64,
+        out_view: *mut hrbfnpr_array,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
     /// Adds a reference.  Any thread may call it; NULL is ignored.
     pub fn hrbfnpr_shading_retain(shading: *const hrbfnpr_shading);
     /// Releases a reference.  Any thread may call it; NULL is ignored.
