@@ -1340,6 +1340,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context, c
 
 /* A handle to a set of marks.  It never changes. */
 typedef struct hrbfnpr_point_set hrbfnpr_point_set;
+/* A handle to values on a surface, see hrbfnpr_field_create.  It never changes. */
+typedef struct hrbfnpr_field hrbfnpr_field;
 
 /* The kind of a layer's marks.  Later versions may add kinds: treat an unknown one
  * like OWN. */
@@ -1397,7 +1399,8 @@ enum {
     HRBFNPR_DENSITY_UNIFORM = 0,   /* the same number of stipples per area everywhere */
     HRBFNPR_DENSITY_CURVATURE = 1, /* more stipples where the surface bends: 1 - s + s c / (c + mean of c), where s is
                                       density_strength and c = sqrt((k1^2 + k2^2) / 2) */
-    HRBFNPR_DENSITY_CALLBACK = 2   /* the density of density_function */
+    HRBFNPR_DENSITY_CALLBACK = 2,  /* the density of density_function */
+    HRBFNPR_DENSITY_FIELD = 3      /* the density of density_field */
 };
 
 /* Gives a density on the surface: 1 where marks lie closest, 0 where there are none.
@@ -1502,6 +1505,14 @@ typedef struct hrbfnpr_layer_desc {
     double tone_smoothing;   /* length over which the attribute TONE_NORMAL is averaged, in diagonals; 0 to 0.1;
                                 0 = none: tone follows NORMAL; default -1 = 0.006 for HATCH of BLUE_NOISE, 0 for others.
                                 Larger values keep the grain of a rough surface out of the tone */
+
+    /* Fields, in the coordinates of the model. */
+    const hrbfnpr_field* density_field;   /* SCALAR: the density of DENSITY_FIELD, clamped to 0 .. 1; 1 where the field
+                                             has no value.  A place with the weight w has 1 + w (value - 1); default
+                                             NULL */
+    const hrbfnpr_field* direction_field; /* DIRECTION: the directions that lines of HATCH follow.  Where its weight is
+                                             below 0.5, lines follow the smoothest field between; default NULL.  It
+                                             excludes direction_function */
 } hrbfnpr_layer_desc;
 
 /* Sets every field to its default. */
@@ -1651,7 +1662,8 @@ typedef struct hrbfnpr_point_set_info {
                                the size of a mark's piece of surface */
     double seconds_seeds;   /* time of finding the seeds */
     double seconds_total;   /* time of the whole call */
-    int64_t bytes;          /* memory that the set keeps */
+    int64_t bytes;          /* memory that the set keeps, with what it shares with other sets */
+    int64_t field_count;    /* number of fields whose values the set holds */
 } hrbfnpr_point_set_info;
 
 /* Clears the struct before its first use. */
@@ -1713,6 +1725,46 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_placement(const hrbfnpr_point_s
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, int64_t layer,
                                                   uint32_t attribute, hrbfnpr_array* out_view,
                                                   hrbfnpr_error* error);
+
+/* A field whose values marks get. */
+typedef struct hrbfnpr_mark_field {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const char* name;           /* name for styles; UTF-8, 1 to 63 bytes, copied; not NULL */
+    const hrbfnpr_field* field; /* where the values come from; default NULL = the set gets none of this name, and loses
+                                   those that it has */
+    const double* transform;    /* 16 doubles: object to field, column-major, affine and invertible; default NULL = the
+                                   identity */
+} hrbfnpr_mark_field;
+
+/* Sets every field to its default. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_mark_field_init(hrbfnpr_mark_field* field, uint32_t struct_size);
+/* Creates a point set that has the same marks as `set`, and values of fields for them.  Values that `set` has stay,
+ * except those of a name in the list.  The marks are shared, not copied, and the fields may be released.  The values are
+ * saved and loaded with the set.  A hrbfnpr_shading of `set` is one of the new set, too.
+ *
+ * fields:      a list; no name occurs twice
+ * operation:   may be NULL
+ *
+ * Errors: INVALID_ARGUMENT (the set would have more than 64 fields).  CALLBACK (the function of a field failed). */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_with_fields(hrbfnpr_context* context, const hrbfnpr_point_set* set,
+                                                         const hrbfnpr_mark_field* fields, int64_t field_count,
+                                                         int64_t field_stride, hrbfnpr_operation* operation,
+                                                         hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
+/* Gets the name and the kind (HRBFNPR_FIELD_KIND_...) of a field of a set.  `number` is 0 ..
+ * hrbfnpr_point_set_info.field_count - 1.  `name` and `kind` may be NULL.  The name is valid while the set lives. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_field(const hrbfnpr_point_set* set, int64_t number, const char** name,
+                                                       uint32_t* kind, hrbfnpr_error* error);
+/* Gives views of the values that a field has at the marks of one layer, without a copy.  They are valid while the set
+ * lives.
+ *
+ * values:      FLOAT32: one number for SCALAR, three for COLOUR and DIRECTION.  Count 0 = the layer has none
+ * weights:     FLOAT32: 0 .. 1 for each mark; count 0 = all are 1.  It may be NULL
+ *
+ * Errors: INVALID_ARGUMENT (no layer of the set has a field of this name). */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_view_field(const hrbfnpr_point_set* set, int64_t layer, const char* name,
+                                                        hrbfnpr_array* values, hrbfnpr_array* weights,
+                                                        hrbfnpr_error* error);
 
 /* Makes squares that show how large the initial step of PUBLISHED is [NPAR 5.1, Figure 5].
  * Each square has sides of 2 * initial_step and lies in the tangent plane of a random seed.
@@ -2052,6 +2104,18 @@ enum {
                                   Salesin 1994; Praun et al. 2001] */
 };
 
+/* What tone_field does to the tone. */
+enum {
+    HRBFNPR_FIELD_RULE_REPLACE = 0, /* the tone becomes the value */
+    HRBFNPR_FIELD_RULE_SCALE = 1    /* the tone is multiplied by the value */
+};
+
+/* Which inks of a palette the marks of an ink_field take. */
+enum {
+    HRBFNPR_PALETTE_NEAREST = 0, /* each mark takes the ink that is nearest to its colour [Oklab, Ottosson 2020] */
+    HRBFNPR_PALETTE_MIXED = 1    /* neighbouring marks take the two or three inks whose mean is the colour */
+};
+
 /* How layers of marks are drawn.  Colours are straight RGBA in [0, 1], sRGB-encoded.  Lengths in pixels are those of
  * the picture. */
 typedef struct hrbfnpr_layer_style {
@@ -2098,6 +2162,19 @@ typedef struct hrbfnpr_layer_style {
                                    0 .. 16384; default 0.  Each end has another length */
     uint32_t hatch_seed;        /* seed of hatch_wobble and hatch_overshoot; any number; default 0 */
     uint32_t reserved3;
+    /* Fields of the point set, by their names (hrbfnpr_point_set_with_fields).  They are read during _draw only; default
+     * NULL = none.  A value v with the weight w changes what it acts on from x to x + w (v' - x), where v' is what v
+     * alone gives.  Layers without values of a field are drawn without it.  If no layer of a set has it, drawing fails
+     * with INVALID_ARGUMENT.  Fields have no effect with VISIBILITY_PUBLISHED. */
+    const char* density_field; /* SCALAR: the share of marks that is shown is multiplied by the value, clamped to
+                                  0 .. 1 */
+    const char* tone_field;    /* SCALAR: the tone, 1 = light, 0 = dark, as tone_field_rule says; clamped to 0 .. 1 */
+    const char* width_field;   /* SCALAR: radii and widths are multiplied by the value, clamped to 0 .. 16 */
+    const char* ink_field;     /* COLOUR: each mark takes an ink of the style's palette, as palette_rule says.  Marks
+                                  with a weight below 0.5 take `ink` */
+    const char* mask_field;    /* SCALAR: marks with a value below 0.5 are left out, and strokes end there */
+    uint32_t tone_field_rule;  /* HRBFNPR_FIELD_RULE_...; default REPLACE */
+    uint32_t palette_rule;     /* HRBFNPR_PALETTE_...; default NEAREST */
 } hrbfnpr_layer_style;
 
 /* Sets struct_size and all defaults. */
@@ -2293,6 +2370,9 @@ typedef struct hrbfnpr_style {
     float tone_gamma;            /* exponent of the tone law; above 0, up to 16; default 1.  Larger: mid-tones are darker */
     uint32_t tone_steps;         /* number of flat tones, from black to white, 2 .. 6; default 0 = continuous tones.  The
                                     steps of t have the same size */
+    const float* palette;        /* inks for ink_field, palette_count x 4, straight RGBA in [0, 1], sRGB-encoded; default
+                                    NULL.  It is read during _draw only */
+    int64_t palette_count;       /* number of inks; 0 .. 8; default 0.  An ink_field needs at least one */
 } hrbfnpr_style;
 
 /* Sets struct_size and all defaults. */
@@ -2341,7 +2421,137 @@ HRBFNPR_API const char* hrbfnpr_preset_name(uint32_t preset);
 
 /*
  * ==========================================================================
- * 10  RENDERER: from items and a camera to a drawing        [NPAR 6]
+ * 10  FIELDS: values on a surface; immutable
+ * ==========================================================================
+ *
+ * A field gives each place of a surface a value and a weight.  The value is a number, a colour or a direction.  The
+ * weight is 0 where the field says nothing, and up to 1.  Values come from points or a mesh, from a function, from dabs
+ * of a brush, or from an image that is projected along a camera.
+ *
+ * A field sets where marks are made (hrbfnpr_layer_desc).  hrbfnpr_point_set_with_fields keeps its values at the marks
+ * of a set, and a layer's style says what they change.
+ */
+
+/* The surfaces that cast shadows and hide the sky, see hrbfnpr_occluders_create.  It does not change, so any threads may
+ * use it. */
+typedef struct hrbfnpr_occluders hrbfnpr_occluders;
+
+/* The values of a field. */
+enum {
+    HRBFNPR_FIELD_KIND_SCALAR = 0,   /* one number */
+    HRBFNPR_FIELD_KIND_COLOUR = 1,   /* three numbers: r, g, b; sRGB-encoded, 0 .. 1 */
+    HRBFNPR_FIELD_KIND_DIRECTION = 2 /* three numbers: x, y, z.  Only the tangent part counts; its sign does not */
+};
+
+/* Where the values of a field come from. */
+enum {
+    HRBFNPR_FIELD_SOURCE_POINTS = 0,   /* from values at points, or at the vertices of triangles */
+    HRBFNPR_FIELD_SOURCE_FUNCTION = 1, /* from a function */
+    HRBFNPR_FIELD_SOURCE_DABS = 2,     /* from dabs of a brush */
+    HRBFNPR_FIELD_SOURCE_IMAGE = 3     /* from an image, which is projected onto the surface along a camera */
+};
+
+/* What a dab paints. */
+enum {
+    HRBFNPR_DAB_TONE = 0,     /* the tone: 1 = light, 0 = dark */
+    HRBFNPR_DAB_DENSITY = 1,  /* the density of stipples: 1 = all, 0 = none */
+    HRBFNPR_DAB_DIRECTION = 2 /* the direction of hatching */
+};
+
+/* A dab of a brush: a ball on the surface in which what is painted moves towards a value.  Dabs act one after the
+ * other. */
+typedef struct hrbfnpr_dab {
+    uint32_t struct_size;
+    uint32_t map;        /* what it paints, HRBFNPR_DAB_...; default TONE */
+    double position[3];  /* middle of the ball, in coordinates of the source */
+    double normal[3];    /* unit normal of the surface there; surface that faces away from it is not painted */
+    double radius;       /* radius of the ball, in units of the source; above 0 */
+    double strength;     /* strength in the middle, 0 .. 1; default 1.  It falls to 0 at the radius */
+    double value;        /* value of TONE and DENSITY, 0 .. 1; default 0 */
+    double direction[3]; /* direction of DIRECTION, which hatching follows */
+} hrbfnpr_dab;
+
+/* Sets struct_size and all defaults. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_dab_init(hrbfnpr_dab* dab, uint32_t struct_size);
+
+/* Gives values on a surface.  NaN or infinity, a weight outside 0 .. 1, or a result other than 0 fails the call with
+ * CALLBACK.  The function gets some thousand places at a time, on the thread that called the library.
+ *
+ * positions:   count x 3, absolute
+ * normals:     count x 3, unit
+ * values:      receives count x 1 (SCALAR) or count x 3 numbers
+ * weights:     receives count numbers; they are 1 before the call */
+typedef int32_t (*hrbfnpr_field_fn)(void* user, int64_t count, const double* positions, const double* normals,
+                                    double* values, double* weights);
+
+/* What a field is made from. */
+typedef struct hrbfnpr_field_desc {
+    uint32_t struct_size;
+    uint32_t kind;       /* HRBFNPR_FIELD_KIND_...; default SCALAR */
+    uint32_t source;     /* HRBFNPR_FIELD_SOURCE_...; default POINTS */
+    uint32_t flags;      /* reserved; 0 */
+    double range[2];     /* SCALAR: range[0] becomes 0, range[1] becomes 1, and values are clamped; range[0] may be the
+                            larger one.  Default 0, 0 = values stay as they are */
+
+    /* POINTS. */
+    hrbfnpr_array points;    /* n x 3, FLOAT32 or FLOAT64; 1 or more */
+    hrbfnpr_array triangles; /* m x 3, UINT32 or INT32: numbers of points, as in hrbfnpr_mesh_desc.  Not given: a place
+                                has the value of the nearest point.  Given: it has the value of the nearest place of the
+                                triangles, interpolated between their corners */
+    hrbfnpr_array values;    /* n x 1 (SCALAR) or n x 3, FLOAT32, FLOAT64 or UINT8; UINT8 colours are 0 .. 255.
+                                Directions are interpolated as lines without a sign */
+    double reach;            /* distance from the points or triangles beyond which a place has no value; 0 or more;
+                                default 0 = there is no such distance */
+
+    /* FUNCTION. */
+    hrbfnpr_field_fn function; /* gives the values */
+    void* user;                /* passed to `function`; it must stay valid while the field lives */
+
+    /* DABS. */
+    const hrbfnpr_dab* dabs; /* a list, copied.  All act, one after the other, whatever their `map`.  SCALAR takes
+                                `value`, DIRECTION takes `direction`, COLOUR takes `direction` as r, g, b */
+    int64_t dab_count;       /* number of dabs; 0 or more */
+    int64_t dab_stride;      /* bytes from one dab to the next; 0 = the first one's struct_size */
+
+    /* IMAGE.  A place outside the image, one that faces away from the camera, and one that is hidden has no value. */
+    const hrbfnpr_image* image;   /* the image, copied.  COLOUR takes its colour, SCALAR its luminance Y' = 0.2126 R' +
+                                     0.7152 G' + 0.0722 B'.  Alpha is the weight.  COVERAGE8 and DIRECTION are refused */
+    const hrbfnpr_camera* camera; /* the camera along which it is projected, in the coordinates of the field.  The image
+                                     fills its viewport */
+    const hrbfnpr_occluders* occluders; /* surfaces that hide places from the camera, in the coordinates of the field;
+                                           default NULL = none */
+} hrbfnpr_field_desc;
+
+/* Sets every field to its default. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_field_desc_init(hrbfnpr_field_desc* desc, uint32_t struct_size);
+/* Creates a field.
+ *
+ * operation:   may be NULL
+ *
+ * Errors: INVALID_ARGUMENT (an array is missing or has a wrong shape; the message names it). */
+HRBFNPR_API hrbfnpr_status hrbfnpr_field_create(hrbfnpr_context* context, const hrbfnpr_field_desc* desc,
+                                                hrbfnpr_operation* operation, hrbfnpr_field** out_field,
+                                                hrbfnpr_error* error);
+HRBFNPR_API void hrbfnpr_field_retain(const hrbfnpr_field* field);  /* Adds a reference.  Any thread. */
+HRBFNPR_API void hrbfnpr_field_release(const hrbfnpr_field* field); /* Removes a reference.  Any thread. */
+
+/* Evaluates a field at places on a surface.
+ *
+ * positions:   n x 3, FLOAT32 or FLOAT64, absolute
+ * normals:     n x 3, FLOAT32 or FLOAT64, unit; may be NULL for POINTS
+ * values:      receives n x 1 (SCALAR) or n x 3, FLOAT32 or FLOAT64; 0 where the weight is 0
+ * weights:     receives n x 1, FLOAT32 or FLOAT64; may be NULL
+ * operation:   may be NULL
+ *
+ * Errors: CALLBACK (the field's function failed). */
+HRBFNPR_API hrbfnpr_status hrbfnpr_field_evaluate(const hrbfnpr_field* field, const hrbfnpr_array* positions,
+                                                  const hrbfnpr_array* normals, const hrbfnpr_array_out* values,
+                                                  const hrbfnpr_array_out* weights, hrbfnpr_operation* operation,
+                                                  hrbfnpr_error* error);
+
+/*
+ * ==========================================================================
+ * 11  RENDERER: from items and a camera to a drawing        [NPAR 6]
  * ==========================================================================
  *
  * A renderer is the scratch memory of one thread.  It keeps a few of its last drawings, and makes the next one in the
@@ -2412,9 +2622,6 @@ typedef struct hrbfnpr_item {
 
 /* Sets struct_size, NULL pointers and the identity transform. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size);
-
-/* The surfaces that cast shadows and hide the sky.  It does not change, so any threads may use it. */
-typedef struct hrbfnpr_occluders hrbfnpr_occluders;
 
 /* Gathers the surfaces of all items that have a line set, at their transforms: the triangles on which lines are found.
  * Walls thinner than a cell of the line set may let light through.  The other fields of items are not read.
@@ -2516,7 +2723,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_generate_still(hrbfnpr_context* con
 
 /*
  * ==========================================================================
- * 11  DRAWING: a picture as a value; immutable
+ * 12  DRAWING: a picture as a value; immutable
  * ==========================================================================
  *
  * A drawing holds dots and strokes in window coordinates.  They are in layers of one ink and one class each.  The id of
@@ -2598,6 +2805,9 @@ typedef struct hrbfnpr_drawing_layer_info {
     float ink[4];        /* colour of the ink, straight RGBA */
     int64_t dots;        /* dots of the layer */
     int64_t strokes;     /* strokes of the layer */
+    int32_t ink_number;  /* number of the ink in the style's palette; -1 = the layer's own ink.  Each ink that marks of
+                            a layer take is a layer of the drawing of its own */
+    uint32_t reserved;
 } hrbfnpr_drawing_layer_info;
 
 /* Sets struct_size; all other fields are 0. */
@@ -2784,7 +2994,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_identify(const hrbfnpr_drawing* drawi
 
 /*
  * ==========================================================================
- * 12  MESH: triangles, repaired; samples, fits and comparisons
+ * 13  MESH: triangles, repaired; samples, fits and comparisons
  * ==========================================================================
  *
  * A mesh is immutable.  Making one repairs what can be repaired, and counts the repairs: vertices at exactly the same
@@ -3153,7 +3363,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, cons
 
 /*
  * ==========================================================================
- * 13  PAGE: drawings as vectors: SVG, PDF, HPGL, G-code
+ * 14  PAGE: drawings as vectors: SVG, PDF, HPGL, G-code
  * ==========================================================================
  *
  * A page holds drawings, each at its place and scale, and texts and lines beside them.  Its unit is the millimetre,
@@ -3355,7 +3565,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_page_write(hrbfnpr_context* context, const hr
 
 /*
  * ==========================================================================
- * 14  PICTURE: from any source to a drawing in one call
+ * 15  PICTURE: from any source to a drawing in one call
  * ==========================================================================
  *
  * A picture chooses what a user leaves open: repairs, samples, the fit, where the surface ends, which way is up, the
@@ -3481,29 +3691,6 @@ typedef struct hrbfnpr_change {
 
 /* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_change_init(hrbfnpr_change* change, uint32_t struct_size);
-
-/* What a dab paints. */
-enum {
-    HRBFNPR_DAB_TONE = 0,     /* the tone: 1 = light, 0 = dark */
-    HRBFNPR_DAB_DENSITY = 1,  /* the density of stipples: 1 = all, 0 = none */
-    HRBFNPR_DAB_DIRECTION = 2 /* the direction of hatching */
-};
-
-/* A dab of a brush: a ball on the surface in which what is painted moves towards a value.  Dabs act one after the
- * other. */
-typedef struct hrbfnpr_dab {
-    uint32_t struct_size;
-    uint32_t map;        /* what it paints, HRBFNPR_DAB_...; default TONE */
-    double position[3];  /* middle of the ball, in coordinates of the source */
-    double normal[3];    /* unit normal of the surface there; surface that faces away from it is not painted */
-    double radius;       /* radius of the ball, in units of the source; above 0 */
-    double strength;     /* strength in the middle, 0 .. 1; default 1.  It falls to 0 at the radius */
-    double value;        /* value of TONE and DENSITY, 0 .. 1; default 0 */
-    double direction[3]; /* direction of DIRECTION, which hatching follows */
-} hrbfnpr_dab;
-
-/* Sets struct_size and all defaults. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_dab_init(hrbfnpr_dab* dab, uint32_t struct_size);
 
 /* The stages of the work. */
 enum {
@@ -4041,7 +4228,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_picture_write_settings(hrbfnpr_picture* pictu
 
 /*
  * ==========================================================================
- * 15  SHEETS: technical drawings in several views, to scale
+ * 16  SHEETS: technical drawings in several views, to scale
  * ==========================================================================
  *
  * A sheet has orthographic views and sections of a model, with the line conventions of ISO 128: outlines are thick,

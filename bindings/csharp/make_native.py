@@ -16,6 +16,7 @@ HANDLES = {
     "hrbfnpr_model": "ModelHandle",
     "hrbfnpr_point_set": "PointSetHandle",
     "hrbfnpr_line_set": "LineSetHandle",
+    "hrbfnpr_field": "FieldHandle",
     "hrbfnpr_mesh": "MeshHandle",
     "hrbfnpr_occluders": "OccludersHandle",
     "hrbfnpr_shading": "ShadingHandle",
@@ -49,8 +50,8 @@ BY_HAND = {
     "hrbfnpr_views_info": "ViewsInfo",
 }
 # Sections of the header whose structs are written to a separate file.
-DRAWN = (9, 10, 11)  # cameras, styles, renderers, drawings
-PICTURES = (14, 15)  # pictures, views
+DRAWN = (9, 10, 11, 12)  # cameras, styles, renderers, drawings
+PICTURES = (15, 16)  # pictures, views
 SCALARS = {
     "int8_t": "sbyte",
     "uint8_t": "byte",

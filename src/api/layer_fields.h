@@ -12,6 +12,7 @@ namespace hrbfnpr::api {
 static_assert(static_cast<int>(stipples::Density::uniform) == HRBFNPR_DENSITY_UNIFORM);
 static_assert(static_cast<int>(stipples::Density::curvature) == HRBFNPR_DENSITY_CURVATURE);
 static_assert(static_cast<int>(stipples::Density::callback) == HRBFNPR_DENSITY_CALLBACK);
+static_assert(HRBFNPR_DENSITY_FIELD > HRBFNPR_DENSITY_CALLBACK);
 static_assert(static_cast<int>(hatching::Guide::curvature) == HRBFNPR_HATCH_GUIDE_CURVATURE);
 static_assert(static_cast<int>(hatching::Guide::combing) == HRBFNPR_HATCH_GUIDE_COMBING);
 static_assert(static_cast<int>(hatching::Guide::sections) == HRBFNPR_HATCH_GUIDE_SECTIONS);
@@ -30,13 +31,15 @@ static_assert(static_cast<int>(hatching::Guide::silhouette) == HRBFNPR_HATCH_GUI
                       field("second_tone_begin", &Given::second_tone_begin, rule::Any{}),
                       field("second_tone_end", &Given::second_tone_end, rule::Any{}),
                       field("flags", &Given::flags, rule::Flags{HRBFNPR_LAYER_WITH_CURVATURE}),
-                      field("tone_smoothing", &Given::tone_smoothing, &To::tone_smoothing, rule::Between{-1.0, 0.1})};
+                      field("tone_smoothing", &Given::tone_smoothing, &To::tone_smoothing, rule::Between{-1.0, 0.1}),
+                      field("density_field", &Given::density_field, rule::Any{}),
+                      field("direction_field", &Given::direction_field, rule::Any{})};
 }
 [[nodiscard]] constexpr auto density_fields() noexcept {
     using Given = hrbfnpr_layer_desc;
     using To = stipples::DensitySettings;
     return FieldTable{
-        field("density", &Given::density, &To::kind, rule::OneOf{HRBFNPR_DENSITY_CALLBACK, "HRBFNPR_DENSITY_*"}),
+        field("density", &Given::density, &To::kind, rule::OneOf{HRBFNPR_DENSITY_FIELD, "HRBFNPR_DENSITY_*"}),
         field("density_strength", &Given::density_strength, &To::strength, rule::Between{0.0, 1.0}),
         field("density_function", &Given::density_function, &To::function, rule::Any{}),
         field("density_user", &Given::density_user, &To::user, rule::Any{})};

@@ -74,6 +74,7 @@ hrbfnpr_point_set_info describe(const marks::PointSet& set) noexcept {
     info.spacing = set.spacing;
     info.seconds_seeds = set.seconds_seeds;
     info.seconds_total = set.seconds_total;
+    info.field_count = 0;
     info.bytes = set.bytes() + std::int64_t{sizeof(hrbfnpr_point_set)};
     return info;
 }

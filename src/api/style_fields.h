@@ -30,6 +30,10 @@ static_assert(static_cast<int>(frame::LightKind::place) == HRBFNPR_LIGHT_KIND_PL
 static_assert(static_cast<int>(frame::Shape::dots) == HRBFNPR_SHAPE_DOTS);
 static_assert(static_cast<int>(frame::Shape::strokes) == HRBFNPR_SHAPE_STROKES);
 static_assert(static_cast<int>(frame::Shape::hatch) == HRBFNPR_SHAPE_HATCH);
+static_assert(static_cast<int>(frame::FieldRule::replace) == HRBFNPR_FIELD_RULE_REPLACE);
+static_assert(static_cast<int>(frame::FieldRule::scale) == HRBFNPR_FIELD_RULE_SCALE);
+static_assert(static_cast<int>(frame::PaletteRule::nearest) == HRBFNPR_PALETTE_NEAREST);
+static_assert(static_cast<int>(frame::PaletteRule::mixed) == HRBFNPR_PALETTE_MIXED);
 
 namespace style_rule {
 
@@ -73,7 +77,16 @@ inline constexpr auto ink = rule::IndexedNumbers{share};
         field("hatch_wobble", &Given::hatch_wobble, &To::hatch_wobble, factor),
         field("hatch_overshoot", &Given::hatch_overshoot, &To::hatch_overshoot, pixels),
         field("hatch_seed", &Given::hatch_seed, &To::hatch_seed, rule::Any{}),
-        reserved("reserved3", &Given::reserved3)};
+        reserved("reserved3", &Given::reserved3),
+        field("density_field", &Given::density_field, &To::density_field, rule::Any{}),
+        field("tone_field", &Given::tone_field, &To::tone_field, rule::Any{}),
+        field("width_field", &Given::width_field, &To::width_field, rule::Any{}),
+        field("ink_field", &Given::ink_field, &To::ink_field, rule::Any{}),
+        field("mask_field", &Given::mask_field, &To::mask_field, rule::Any{}),
+        field("tone_field_rule", &Given::tone_field_rule, &To::tone_field_rule,
+              rule::OneOf{HRBFNPR_FIELD_RULE_SCALE, "HRBFNPR_FIELD_RULE_*"}),
+        field("palette_rule", &Given::palette_rule, &To::palette_rule,
+              rule::OneOf{HRBFNPR_PALETTE_MIXED, "HRBFNPR_PALETTE_*"})};
 }
 static_assert(layer_style_fields().covers<hrbfnpr_layer_style>());
 
@@ -138,7 +151,9 @@ static_assert(layer_style_fields().covers<hrbfnpr_layer_style>());
         field("tone_black", &Given::tone_black, &To::tone_black, rule::Between{-16.0, 16.0}),
         field("tone_white", &Given::tone_white, &To::tone_white, rule::Between{-16.0, 16.0}),
         field("tone_gamma", &Given::tone_gamma, &To::tone_gamma, rule::PositiveUpTo{16.0}),
-        field("tone_steps", &Given::tone_steps, &To::tone_steps, rule::Between{0.0, 6.0})};
+        field("tone_steps", &Given::tone_steps, &To::tone_steps, rule::Between{0.0, 6.0}),
+        field("palette", &Given::palette, rule::Any{}),
+        field("palette_count", &Given::palette_count, rule::Any{})};
 }
 static_assert(style_fields().covers<hrbfnpr_style>());
 

@@ -17,9 +17,18 @@ LayerName default_name(Kind kind) noexcept {
 }
 
 std::int64_t Layer::bytes() const noexcept {
-    return position.bytes() + normal.bytes() + direction.bytes() + curvature.bytes() + rank.bytes() + level.bytes() +
-           stroke.bytes() + width.bytes() + tone_normal.bytes() + stroke_first.bytes() + stroke_order.bytes() +
-           clusters.bytes() + report.level.bytes();
+    std::int64_t sum = fields.bytes();
+    for (const MarkField& field : fields) sum += field.bytes();
+    return sum + position.bytes() + normal.bytes() + direction.bytes() + curvature.bytes() + rank.bytes() +
+           level.bytes() + stroke.bytes() + width.bytes() + tone_normal.bytes() + stroke_first.bytes() +
+           stroke_order.bytes() + clusters.bytes() + report.level.bytes();
+}
+
+const MarkField* Layer::field_of(const char* wanted) const noexcept {
+    HRBFNPR_ASSERT(wanted != nullptr);
+    for (const MarkField& field : fields)
+        if (std::strcmp(wanted, field.name.data()) == 0) return &field;
+    return nullptr;
 }
 
 // Strokes are sorted by number whenever stroke_order is not empty, so a binary search can find a stroke.

@@ -7,6 +7,7 @@
 #include "base/operation.h"
 #include "base/work.h"
 #include "geometry/vec.h"
+#include "paint/kind.h"
 
 #include <algorithm>
 #include <array>
@@ -176,6 +177,22 @@ inline constexpr std::int64_t most_in_cluster = 128;
 
 // ---- Layers and sets
 
+using paint::components_of;
+using paint::FieldKind;
+inline constexpr std::int64_t most_fields = 64; // the largest number of fields of a set
+
+// The values of a field at the marks of a layer. Directions are in the coordinates of the set.
+struct MarkField {
+    explicit MarkField(base::Memory& memory) noexcept : value(memory), weight(memory) {}
+
+    LayerName name{};
+    FieldKind kind = FieldKind::scalar;
+    base::Array<float> value;  // components_of(kind) numbers for each mark
+    base::Array<float> weight; // from 0 to 1 for each mark; empty if all are 1
+
+    [[nodiscard]] std::int64_t bytes() const noexcept { return value.bytes() + weight.bytes(); }
+};
+
 // Copies the given array members of an object.
 template <class Owner, class... Members>
 void copy_arrays(const Owner& from, Owner& to, Members... member) {
@@ -187,7 +204,7 @@ struct Layer {
     explicit Layer(base::Memory& memory, Kind is = Kind::own) noexcept
         : kind(is), name(default_name(is)), position(memory), normal(memory), direction(memory), curvature(memory),
           rank(memory), level(memory), stroke(memory), width(memory), tone_normal(memory), stroke_first(memory),
-          stroke_order(memory), clusters(memory), report(memory) {}
+          stroke_order(memory), clusters(memory), fields(memory), report(memory) {}
 
     Kind kind;
     LayerName name;
@@ -207,6 +224,7 @@ struct Layer {
     base::Array<std::uint32_t> stroke_first;
     base::Array<std::uint32_t> stroke_order; // n numbers; empty if the marks are stored stroke by stroke
     MarkClusters clusters;                   // the clusters of the marks, which cluster_marks() makes
+    base::List<MarkField> fields;            // fields with values for these marks; each has another name
     LayerReport report;
     // The number of marks that the whole surface would have, if only those that one camera needs were placed. 0: all
     // were placed.
@@ -224,6 +242,8 @@ struct Layer {
     [[nodiscard]] std::int64_t mark_of(std::int64_t place_in_order) const noexcept {
         return stroke_order.empty() ? place_in_order : std::int64_t{stroke_order[place_in_order]};
     }
+    // Returns the field of this name, or NULL.
+    [[nodiscard]] const MarkField* field_of(const char* wanted) const noexcept;
     // Returns the index of the stroke that a mark belongs to, or -1.
     [[nodiscard]] std::int64_t stroke_of(std::int64_t mark) const noexcept;
     // Returns the direction of a mark's stroke, 0 or 1. The layer must have strokes.

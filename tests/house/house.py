@@ -48,6 +48,7 @@ FLOORS = {
     "implicit": 3,
     "kernel": 2,
     "light": 2,
+    "paint": 2,
     "mesh": 2,
     "geometry": 1,
     "base": 0,

@@ -26,6 +26,9 @@ using ToneFn = std::int32_t (*)(void* user, std::int64_t count, const float* pos
 
 enum class Shape : std::uint32_t { dots = 0, strokes = 1, hatch = 2 };
 
+enum class FieldRule : std::uint32_t { replace = 0, scale = 1 };
+enum class PaletteRule : std::uint32_t { nearest = 0, mixed = 1 };
+
 using curves::LineKind;
 
 struct LayerStyle {
@@ -51,6 +54,13 @@ struct LayerStyle {
     float hatch_wobble = 0.0F;
     float hatch_overshoot = 0.0F;
     std::uint32_t hatch_seed = 0;
+    const char* density_field = nullptr; // names of fields of the set; NULL: none
+    const char* tone_field = nullptr;
+    const char* width_field = nullptr;
+    const char* ink_field = nullptr;
+    const char* mask_field = nullptr;
+    FieldRule tone_field_rule = FieldRule::replace;
+    PaletteRule palette_rule = PaletteRule::nearest;
 
     [[nodiscard]] bool is_for(const marks::Layer& layer) const noexcept {
         return (kind == marks::Kind::any || kind == layer.kind) &&
@@ -102,6 +112,7 @@ struct LightStyle {
     float softness = 0.0F;
 };
 inline constexpr std::int64_t most_lights = 8;
+inline constexpr std::int64_t most_inks = 8;
 
 struct Style {
     HiddenLines hidden_lines = HiddenLines::attenuate;
@@ -147,6 +158,7 @@ struct Style {
     float silhouette_radius_zoom = 0.0F;
     std::span<const LayerStyle> layers; // The caller owns both lists.
     std::span<const LineStyle> lines;
+    std::span<const glm::vec4> palette; // The caller owns the inks.
 
     // Returns the light that isophotes and widths of lines use.
     [[nodiscard]] LightStyle key_light() const noexcept {

@@ -193,6 +193,14 @@ namespace HrbfNpr
         }
     }
 
+    internal sealed class FieldHandle : NativeHandle
+    {
+        protected override void Free(IntPtr value)
+        {
+            NativeMethods.hrbfnpr_field_release(value);
+        }
+    }
+
     internal sealed class OccludersHandle : NativeHandle
     {
         protected override void Free(IntPtr value)
