@@ -2474,8 +2474,9 @@ typedef struct hrbfnpr_dab {
 /* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_dab_init(hrbfnpr_dab* dab, uint32_t struct_size);
 
-/* Gives values on a surface.  NaN or infinity, a weight outside 0 .. 1, or a result other than 0 fails the call with
- * CALLBACK.  The function gets some thousand places at a time, on the thread that called the library.
+/* Gives values on a surface.  A value that is not finite, a weight outside 0 .. 1, or a result other than 0 fails the
+ * call with CALLBACK.  Where the weight is 0, the value is not read.  The function gets some thousand places at a time,
+ * on the thread that called the library.
  *
  * positions:   count x 3, absolute
  * normals:     count x 3, unit
@@ -2495,11 +2496,11 @@ typedef struct hrbfnpr_field_desc {
 
     /* POINTS. */
     hrbfnpr_array points;    /* n x 3, FLOAT32 or FLOAT64; 1 or more */
-    hrbfnpr_array triangles; /* m x 3, UINT32 or INT32: numbers of points, as in hrbfnpr_mesh_desc.  Not given: a place
-                                has the value of the nearest point.  Given: it has the value of the nearest place of the
-                                triangles, interpolated between their corners */
+    hrbfnpr_array triangles; /* m x 3, INT32, INT64 or UINT32: numbers of points.  Not given: a place has the value of
+                                the nearest point.  Given: it has the value of the nearest place of the triangles,
+                                interpolated between their corners */
     hrbfnpr_array values;    /* n x 1 (SCALAR) or n x 3, FLOAT32, FLOAT64 or UINT8; UINT8 colours are 0 .. 255.
-                                Directions are interpolated as lines without a sign */
+                                Directions are interpolated as lines without a sign.  Colours are clamped to 0 .. 1 */
     double reach;            /* distance from the points or triangles beyond which a place has no value; 0 or more;
                                 default 0 = there is no such distance */
 

@@ -4,6 +4,7 @@
 
 #include "api/barrier.h"
 #include "api/descriptor.h"
+#include "api/field.h"
 #include "api/fields.h"
 #include "api/layer_fields.h"
 #include "api/layers.h"
@@ -14,6 +15,8 @@
 #include "api/still.h"
 #include "api/views.h"
 
+#include <algorithm>
+#include <array>
 #include <numbers>
 
 using namespace hrbfnpr;
@@ -95,6 +98,59 @@ glm::dvec3 checked_direction(const double (&given)[3], const char* field, const 
     return direction / length;
 }
 
+// The next two functions implement hrbfnpr_density_fn and hrbfnpr_direction_fn. Their `user` is a hrbfnpr_field.
+std::int32_t density_of_field(void* user, std::int64_t count, const double* positions, const double* normals,
+                              double* density) {
+    const auto& handle = *static_cast<const hrbfnpr_field*>(user);
+    handle.field.evaluate(
+        handle.runtime(), count, [&](std::int64_t i) { return paint::place_at(positions, normals, i); },
+        [&](std::int64_t i, const paint::Sample& sample) {
+            density[i] = 1.0 + sample.weight * (std::clamp(sample.value.x, 0.0, 1.0) - 1.0);
+        });
+    return 0;
+}
+
+std::int32_t direction_of_field(void* user, std::int64_t count, const double* positions, const double* normals,
+                                double* directions) {
+    const auto& handle = *static_cast<const hrbfnpr_field*>(user);
+    handle.field.evaluate(
+        handle.runtime(), count, [&](std::int64_t i) { return paint::place_at(positions, normals, i); },
+        [&](std::int64_t i, const paint::Sample& sample) {
+            for (int c = 0; c < 3; ++c) directions[3 * i + c] = sample.weight < 0.5 ? 0.0 : sample.value[c];
+        });
+    return 0;
+}
+
+void check_kind(const hrbfnpr_field& given, paint::FieldKind kind, const char* owner, const char* name) {
+    constexpr std::array<const char*, paint::field_kind_count> names = {"SCALAR", "COLOUR", "DIRECTION"};
+    const paint::FieldKind own = given.field.kind();
+    if (own != kind)
+        fail(Status::invalid_argument, "%s.%s is a field of kind %s; it must be one of kind %s", owner, name,
+             names[static_cast<std::size_t>(own)], names[static_cast<std::size_t>(kind)]);
+}
+
+void check_fields(const hrbfnpr_layer_desc& desc, const char* owner) {
+    if (desc.density == HRBFNPR_DENSITY_FIELD) {
+        Checks(owner).not_null("density_field", desc.density_field != nullptr);
+        check_kind(*desc.density_field, paint::FieldKind::scalar, owner, "density_field");
+    }
+    if (desc.direction_field == nullptr) return;
+    check_kind(*desc.direction_field, paint::FieldKind::direction, owner, "direction_field");
+    if (desc.direction_function != nullptr)
+        fail(Status::invalid_argument, "%s has a direction_field and a direction_function; leave one out", owner);
+}
+
+// Makes a layer use its fields as functions of density and direction.
+void use_fields(const hrbfnpr_layer_desc& desc, generate::LayerSettings& settings) {
+    if (desc.density == HRBFNPR_DENSITY_FIELD) {
+        settings.density.kind = stipples::Density::callback;
+        settings.density.function = density_of_field;
+        settings.density.user = const_cast<hrbfnpr_field*>(desc.density_field);
+    }
+    if (desc.direction_field != nullptr)
+        settings.hatching.direction = {direction_of_field, const_cast<hrbfnpr_field*>(desc.direction_field)};
+}
+
 void check(const hrbfnpr_layer_desc& desc, const char* owner) {
     if (desc.kind != HRBFNPR_LAYER_KIND_STIPPLES && desc.kind != HRBFNPR_LAYER_KIND_HATCH)
         fail(Status::invalid_argument, "%s.kind is %u; it must be HRBFNPR_LAYER_KIND_STIPPLES or _HATCH (1 or 2)",
@@ -106,6 +162,7 @@ void check(const hrbfnpr_layer_desc& desc, const char* owner) {
     guide_fields().check(owner, desc);
     const Checks checks(owner);
     if (desc.density == HRBFNPR_DENSITY_CALLBACK) checks.not_null("density_function", desc.density_function != nullptr);
+    check_fields(desc, owner);
 }
 
 generate::LayerSettings checked(const hrbfnpr_layer_desc& desc, const char* owner) {
@@ -114,6 +171,7 @@ generate::LayerSettings checked(const hrbfnpr_layer_desc& desc, const char* owne
     layer_fields().copy(desc, settings);
     density_fields().copy(desc, settings.density);
     direction_fields().copy(desc, settings.hatching.direction);
+    use_fields(desc, settings);
     published_fields().copy(desc, settings.published);
     hatch_fields().copy(desc, settings.hatching);
     guide_fields().copy(desc, settings.hatching.field);

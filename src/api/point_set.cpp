@@ -5,11 +5,14 @@
 #include "api/descriptor.h"
 #include "api/streams.h"
 #include "io/files.h"
+#include "marks/fields.h"
 #include "marks/point_set.h"
 
 #include <cstring>
 
 using namespace hrbfnpr;
+
+hrbfnpr_point_set::~hrbfnpr_point_set() { api::release_handle(owner_); }
 
 namespace hrbfnpr::api {
 
@@ -60,7 +63,8 @@ hrbfnpr_layer_info describe(const marks::Layer& layer) noexcept {
     return info;
 }
 
-hrbfnpr_point_set_info describe(const marks::PointSet& set) noexcept {
+hrbfnpr_point_set_info describe(const hrbfnpr_point_set& handle) noexcept {
+    const marks::PointSet& set = handle.set;
     hrbfnpr_point_set_info info{};
     info.distribution = static_cast<std::uint32_t>(set.distribution);
     info.seed_source = static_cast<std::uint32_t>(set.seed_source);
@@ -74,8 +78,9 @@ hrbfnpr_point_set_info describe(const marks::PointSet& set) noexcept {
     info.spacing = set.spacing;
     info.seconds_seeds = set.seconds_seeds;
     info.seconds_total = set.seconds_total;
-    info.field_count = 0;
     info.bytes = set.bytes() + std::int64_t{sizeof(hrbfnpr_point_set)};
+    if (&handle.owner() != &handle) info.bytes += handle.owner().set.bytes();
+    info.field_count = marks::field_count(set);
     return info;
 }
 
@@ -150,7 +155,7 @@ hrbfnpr_status hrbfnpr_point_set_get_info(const hrbfnpr_point_set* set, hrbfnpr_
     return api::guarded(error, [&] {
         const auto& handle = api::deref(set, "set");
         api::check_output_struct(info, "point_set_info");
-        api::write_struct(info, api::describe(handle.set));
+        api::write_struct(info, api::describe(handle));
     });
 }
 

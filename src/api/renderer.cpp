@@ -88,7 +88,7 @@ private:
                  "%s.line_set is given together with poses; leave one out, because a line set does not move with the "
                  "poses",
                  name);
-        if (given.shading != nullptr && &given.shading->set != given.point_set)
+        if (given.shading != nullptr && !given.shading->set.has_marks_of(*given.point_set))
             fail(Status::invalid_argument, "%s.shading was made for another point set", name);
         if (given.shading != nullptr && given.pose_count > 0)
             fail(Status::invalid_argument, "%s.shading is given together with poses; leave one out", name);

@@ -62,7 +62,7 @@ hrbfnpr_shading* create(hrbfnpr_context& context, const hrbfnpr_occluders& occlu
     if (lists.lights.empty()) lists.lights.push_back(style.key_light());
     frame::ShadingSettings settings;
     shading_fields().copy(desc, settings);
-    if (desc.previous != nullptr && &desc.previous->set != item.point_set)
+    if (desc.previous != nullptr && !desc.previous->set.has_marks_of(*item.point_set))
         fail(Status::invalid_argument, "shading_desc.previous was made for another point set");
     if (desc.previous != nullptr) settings.previous = &desc.previous->shading;
     settings.reach *= occluders.casters.diagonal;

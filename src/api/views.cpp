@@ -21,6 +21,7 @@ constexpr auto longest = std::numeric_limits<std::int64_t>::max();
 const char* names_of(unsigned scalars) noexcept {
     switch (scalars) {
     case float_types: return "FLOAT32 or _FLOAT64";
+    case float_or_uint8_types: return "FLOAT32, _FLOAT64 or _UINT8";
     case float32_only: return "FLOAT32";
     case uint8_only: return "UINT8";
     case uint32_only: return "UINT32";

@@ -11,6 +11,7 @@ namespace hrbfnpr::api {
 
 // Sets of scalar types that an array may have. Each type is one bit.
 inline constexpr unsigned float_types = 1U << HRBFNPR_SCALAR_FLOAT32 | 1U << HRBFNPR_SCALAR_FLOAT64;
+inline constexpr unsigned float_or_uint8_types = float_types | 1U << HRBFNPR_SCALAR_UINT8;
 inline constexpr unsigned float32_only = 1U << HRBFNPR_SCALAR_FLOAT32;
 inline constexpr unsigned uint8_only = 1U << HRBFNPR_SCALAR_UINT8;
 inline constexpr unsigned uint32_only = 1U << HRBFNPR_SCALAR_UINT32;

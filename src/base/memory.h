@@ -2,6 +2,7 @@
 // The context's allocator, which counts bytes, and an array that owns memory from it.
 #pragma once
 
+#include "base/assert.h"
 #include "base/status.h"
 
 #include <atomic>
@@ -44,7 +45,7 @@ private:
 };
 
 // A growable array of trivial elements, in memory from a Memory. Elements that resize() adds are zero. The Memory must
-// outlive the array.
+// outlive the array. An array that lent() makes owns no memory, and must not be changed.
 template <class T>
 class Array {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -65,6 +66,13 @@ public:
     Array(const Array&) = delete;
     Array& operator=(const Array&) = delete;
     ~Array() { release(); }
+    // Returns an array with the elements of this one, which must outlive it unchanged.
+    [[nodiscard]] Array lent() const noexcept {
+        Array borrowed(*memory_);
+        borrowed.data_ = data_;
+        borrowed.size_ = size_;
+        return borrowed;
+    }
 
     [[nodiscard]] std::int64_t size() const noexcept { return size_; }
     [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
@@ -86,6 +94,7 @@ public:
 
     void reserve(std::int64_t capacity) {
         if (capacity <= capacity_) return;
+        HRBFNPR_ASSERT(!is_borrowed());
         T* grown = static_cast<T*>(memory_->allocate(byte_count(capacity)));
         if (size_ > 0) std::memcpy(static_cast<void*>(grown), data_, byte_count(size_));
         if (data_ != nullptr) memory_->deallocate(data_, byte_count(capacity_));
@@ -117,13 +126,15 @@ public:
 
     // Deallocates the memory.
     void release() noexcept {
-        if (data_ != nullptr) memory_->deallocate(data_, byte_count(capacity_));
+        if (capacity_ > 0) memory_->deallocate(data_, byte_count(capacity_));
         data_ = nullptr;
         size_ = 0;
         capacity_ = 0;
     }
 
 private:
+    [[nodiscard]] bool is_borrowed() const noexcept { return data_ != nullptr && capacity_ == 0; }
+
     // NOLINTNEXTLINE(bugprone-sizeof-expression): the elements may be pointers
     static constexpr std::int64_t element_bytes{sizeof(T)};
 

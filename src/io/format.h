@@ -25,7 +25,10 @@ inline constexpr std::uint32_t model_version = 2;
 // The format version of models that are a single fit. It is older than model_version, so that older versions of the
 // library can read these models.
 inline constexpr std::uint32_t fit_version = 1;
-inline constexpr std::uint32_t point_set_version = 3; // older versions, from before the first release, cannot be read
+// The newest format version of point sets. Only sets with fields need it.
+inline constexpr std::uint32_t point_set_version = 4;
+// The format version of sets without fields. Older versions, from before the first release, cannot be read.
+inline constexpr std::uint32_t fieldless_version = 3;
 inline constexpr std::uint32_t byte_order_mark = 0x01020304U;
 inline constexpr std::size_t header_size = 40;
 inline constexpr std::size_t section_header_size = 16;

@@ -4,6 +4,7 @@
 #include "io/decoder.h"
 #include "io/encoder.h"
 #include "io/files.h"
+#include "marks/fields.h"
 #include "marks/site.h"
 
 #include <algorithm>
@@ -34,6 +35,11 @@ constexpr std::uint32_t tag_curvature = tag("CURV");
 constexpr std::uint32_t tag_level = tag("LEVL");
 constexpr std::uint32_t tag_stroke = tag("STRK");
 constexpr std::uint32_t tag_width = tag("WIDT");
+constexpr std::uint32_t tag_field_count = tag("FCNT");
+constexpr std::uint32_t tag_field_name = tag("FNAM");
+constexpr std::uint32_t tag_field_kind = tag("FKND");
+constexpr std::uint32_t tag_field_values = tag("FVAL");
+constexpr std::uint32_t tag_field_weights = tag("FWEI");
 
 // The number of counts in a LevelReport.
 constexpr std::size_t level_numbers = 6;
@@ -88,6 +94,17 @@ void encode_layer(Encoder& encoder, const marks::Layer& layer) {
     encoder.section(tag_stroke_order, layer.stroke_order.span());
 }
 
+void encode_fields(Encoder& encoder, const marks::Layer& layer) {
+    encoder.section<std::uint32_t>(tag_field_count, std::array{static_cast<std::uint32_t>(layer.fields.size())});
+    for (const marks::MarkField& field : layer.fields) {
+        const auto* const name = reinterpret_cast<const std::uint8_t*>(field.name.data());
+        encoder.section(tag_field_name, std::span(name, std::strlen(field.name.data())));
+        encoder.section<std::uint32_t>(tag_field_kind, std::array{static_cast<std::uint32_t>(field.kind)});
+        encoder.section(tag_field_values, field.value.span());
+        encoder.section(tag_field_weights, field.weight.span());
+    }
+}
+
 void encode(Encoder& encoder, const marks::PointSet& set) {
     const std::array<std::uint32_t, 3> kind{static_cast<std::uint32_t>(set.distribution),
                                             static_cast<std::uint32_t>(set.seed_source),
@@ -96,9 +113,12 @@ void encode(Encoder& encoder, const marks::PointSet& set) {
     encoder.section<double>(tag_set_numbers, numbers_of(set));
     encoder.section<std::int64_t>(tag_seeds, numbers_of(set.seeds));
     for (const marks::Layer& layer : set.layers) encode_layer(encoder, layer);
-    if (std::any_of(set.layers.begin(), set.layers.end(),
-                    [](const marks::Layer& layer) { return !layer.tone_normal.empty(); }))
+    const bool has_fields = marks::field_count(set) > 0;
+    if (has_fields || std::any_of(set.layers.begin(), set.layers.end(),
+                                  [](const marks::Layer& layer) { return !layer.tone_normal.empty(); }))
         for (const marks::Layer& layer : set.layers) encoder.section(tag_tone_normal, layer.tone_normal.span());
+    if (has_fields)
+        for (const marks::Layer& layer : set.layers) encode_fields(encoder, layer);
 }
 
 // Reads the kind of the set and returns the number of layers.
@@ -114,14 +134,16 @@ std::uint32_t decode_kind(Decoder& decoder, marks::PointSet& set) {
     return kind[2];
 }
 
-void decode_name(Decoder& decoder, marks::Layer& layer) {
-    base::Array<std::uint8_t> name(layer.rank.memory());
-    decoder.section(tag_name, name);
-    const std::string_view text(reinterpret_cast<const char*>(name.data()), static_cast<std::size_t>(name.size()));
-    if (text.empty() || text.size() >= layer.name.size() || !base::is_utf8(text))
-        decoder.damaged("the name of a layer is not 1 to 63 bytes of UTF-8");
-    layer.name = {};
-    std::memcpy(layer.name.data(), text.data(), text.size());
+// Reads the name of a layer or of a field, which is `what` in messages.
+marks::LayerName decode_name(Decoder& decoder, std::uint32_t tag_of_name, base::Memory& memory, const char* what) {
+    base::Array<std::uint8_t> bytes(memory);
+    decoder.section(tag_of_name, bytes);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), static_cast<std::size_t>(bytes.size()));
+    marks::LayerName name{};
+    if (text.empty() || text.size() >= name.size() || !base::is_utf8(text) || text.find('\0') != text.npos)
+        decoder.damaged("the name of a %s is not 1 to 63 bytes of UTF-8", what);
+    std::memcpy(name.data(), text.data(), text.size());
+    return name;
 }
 
 void decode_report(Decoder& decoder, marks::LayerReport& report) {
@@ -174,7 +196,7 @@ void decode_layer(Decoder& decoder, marks::PointSet& set) {
     if (kind[1] > 1) decoder.damaged("the order of a layer is unknown");
     marks::Layer& layer = set.layers.add(set.layers.memory(), static_cast<marks::Kind>(kind[0]));
     layer.progressive = kind[1] == 1;
-    decode_name(decoder, layer);
+    layer.name = decode_name(decoder, tag_name, layer.rank.memory(), "layer");
     decode_report(decoder, layer.report);
     decode_marks(decoder, layer);
     decode_width(decoder, layer);
@@ -192,9 +214,44 @@ void decode_tone_normals(Decoder& decoder, marks::PointSet& set) {
     }
 }
 
+void decode_field(Decoder& decoder, marks::Layer& layer) {
+    base::Memory& memory = layer.rank.memory();
+    marks::MarkField field(memory);
+    field.name = decode_name(decoder, tag_field_name, memory, "field");
+    if (layer.field_of(field.name.data()) != nullptr) decoder.damaged("two fields of a layer have the same name");
+    std::array<std::uint32_t, 1> kind{};
+    decoder.section<std::uint32_t>(tag_field_kind, kind);
+    if (kind[0] >= paint::field_kind_count) decoder.damaged("the kind of a field is unknown");
+    field.kind = static_cast<marks::FieldKind>(kind[0]);
+    decoder.section(tag_field_values, field.value, marks::components_of(field.kind) * layer.count());
+    decoder.section(tag_field_weights, field.weight);
+    if (!field.weight.empty() && field.weight.size() != layer.count())
+        decoder.damaged("a field does not have one weight for each mark");
+    check_finite(decoder, "value of a field", std::as_const(field.value).span());
+    for (const float weight : field.weight.span())
+        if (!(weight >= 0.0F && weight <= 1.0F)) decoder.damaged("a weight of a field is outside [0, 1]");
+    layer.fields.add(std::move(field));
+}
+
+// Reads the fields if the file has them.
+void decode_fields(Decoder& decoder, marks::PointSet& set) {
+    if (decoder.version() <= fieldless_version) return;
+    for (marks::Layer& layer : set.layers) {
+        std::array<std::uint32_t, 1> count{};
+        decoder.section<std::uint32_t>(tag_field_count, count);
+        if (count[0] > marks::most_fields) decoder.damaged("a layer has %u fields, too many", count[0]);
+        for (std::uint32_t i = 0; i < count[0]; ++i) decode_field(decoder, layer);
+        for (const marks::MarkField& field : layer.fields)
+            if (marks::field_of(set, field.name.data())->kind != field.kind)
+                decoder.damaged("a field has different kinds in two layers");
+    }
+    if (marks::field_count(set) > marks::most_fields) decoder.damaged("it has too many fields");
+}
+
 void decode_layers(Decoder& decoder, std::uint32_t count, marks::PointSet& set) {
     for (std::uint32_t layer = 0; layer < count; ++layer) decode_layer(decoder, set);
     decode_tone_normals(decoder, set);
+    decode_fields(decoder, set);
 }
 
 // Checks that the order contains each mark once, and that strokes are sorted by their numbers, as searches require.
@@ -290,11 +347,12 @@ void check_set(const Decoder& decoder, marks::PointSet& set) {
 } // namespace
 
 void save_point_set(const marks::PointSet& set, Writer& writer) {
-    write_file(writer, kind_point_set, point_set_version, [&](Encoder& encoder) { encode(encoder, set); });
+    const std::uint32_t version = marks::field_count(set) > 0 ? point_set_version : fieldless_version;
+    write_file(writer, kind_point_set, version, [&](Encoder& encoder) { encode(encoder, set); });
 }
 
 marks::PointSet load_point_set(base::Memory& memory, Reader& reader) {
-    Decoder decoder(reader, kind_point_set, point_set_version, point_set_version, "point set");
+    Decoder decoder(reader, kind_point_set, fieldless_version, point_set_version, "point set");
     marks::PointSet set(memory);
     const std::uint32_t layers = decode_kind(decoder, set);
     SetNumbers numbers{};

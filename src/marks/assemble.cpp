@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "marks/assemble.h"
 
+#include "marks/fields.h"
+
 #include "base/format.h"
 #include "base/long_array.h"
 #include "base/random.h"
@@ -466,6 +468,7 @@ void copy(const Layer& from, Layer& to) {
     to.report.step = from.report.step;
     to.report.seconds = from.report.seconds;
     copy_array(from.report.level, to.report.level);
+    for (const MarkField& field : from.fields) to.fields.add(copy_of(field, to.fields.memory()));
 }
 
 PointSet copy_of(const base::Runtime& runtime, const PointSet& base) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Implements the descriptor of a picture: its defaults, its checks, and the values that come from settings.
+#include "api/dabs.h"
 #include "api/descriptor.h"
 #include "api/fields.h"
 #include "api/lists.h"
@@ -20,7 +21,6 @@ namespace hrbfnpr::api {
 namespace {
 
 using PictureDesc = hrbfnpr_picture_desc;
-using Dab = hrbfnpr_dab;
 constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest_number = 1e300; // Larger lengths and coordinates are refused.
 
@@ -102,17 +102,6 @@ constexpr auto picture_fields() noexcept {
 }
 static_assert(picture_fields().covers<PictureDesc>());
 
-constexpr auto dab_fields() noexcept {
-    return FieldTable{field("map", &Dab::map, rule::OneOf{HRBFNPR_DAB_DIRECTION, "HRBFNPR_DAB_*"}),
-                      field("position", &Dab::position, rule::IndexedNumbers{any_number}),
-                      field("normal", &Dab::normal, rule::IndexedNumbers{any_number}),
-                      field("radius", &Dab::radius, rule::Positive{}),
-                      field("strength", &Dab::strength, rule::Between{0.0, 1.0}),
-                      field("value", &Dab::value, any_number),
-                      field("direction", &Dab::direction, rule::IndexedNumbers{any_number})};
-}
-static_assert(dab_fields().covers<Dab>());
-
 } // namespace
 
 template <>
@@ -140,20 +129,12 @@ hrbfnpr_change defaults() noexcept {
     return {};
 }
 
-template <>
-hrbfnpr_dab defaults() noexcept {
-    hrbfnpr_dab dab{};
-    dab.strength = 1.0;
-    return dab;
-}
-
 } // namespace hrbfnpr::api
 
 namespace hrbfnpr::picture {
 namespace {
 
 constexpr std::size_t longest_text = 4096;
-constexpr std::int64_t most_dabs = 1'000'000;
 
 void check_desc(const hrbfnpr_picture_desc& desc) {
     api::picture_fields().check("picture_desc", desc);
@@ -219,7 +200,8 @@ void set_size(hrbfnpr_picture_desc& desc, const std::array<std::int32_t, 2>& kno
 
 Vector<hrbfnpr_dab> dabs_of(const hrbfnpr_picture_desc& given, const Settings* settings, Pool& pool) {
     Vector<hrbfnpr_dab> dabs(&pool);
-    const api::List<hrbfnpr_dab> list(given.dabs, given.dab_count, given.dab_stride, most_dabs, "picture_desc.dabs");
+    const api::List<hrbfnpr_dab> list(given.dabs, given.dab_count, given.dab_stride, api::most_dabs,
+                                      "picture_desc.dabs");
     for (std::int64_t i = 0; i < list.count(); ++i) {
         dabs.push_back(list[i]);
         api::dab_fields().check(list.name(i).text, dabs.back());
@@ -308,10 +290,6 @@ hrbfnpr_status hrbfnpr_picture_source_init(hrbfnpr_picture_source* source, uint3
 
 hrbfnpr_status hrbfnpr_change_init(hrbfnpr_change* change, uint32_t struct_size) {
     return hrbfnpr::api::init_struct(change, struct_size);
-}
-
-hrbfnpr_status hrbfnpr_dab_init(hrbfnpr_dab* dab, uint32_t struct_size) {
-    return hrbfnpr::api::init_struct(dab, struct_size);
 }
 
 } // extern "C"
