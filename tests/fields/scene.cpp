@@ -66,6 +66,7 @@ Scene::Scene() {
     check(hrbfnpr_context_create(&context_desc_, &context, check.error()));
     context_.reset(context);
     take_time(plenty);
+    describe_fields();
     describe_marks();
     describe_style();
     describe_output();
@@ -157,6 +158,33 @@ void Scene::describe_surface() {
     trim_desc_.normals = in(normals_, 6);
 }
 
+// A scalar field of the samples, and one of directions at triangles, which hatching follows.
+void Scene::describe_fields() {
+    scenes::Check check;
+    numbers_ = room(6);
+    std::fill_n(numbers_.begin(), 6, 0.5);
+    field_desc_[0] = made(hrbfnpr_field_desc_init);
+    field_desc_[0].points = in(points_, 6);
+    field_desc_[0].values = {numbers_.data(), 6, 0, HRBFNPR_SCALAR_FLOAT64, 1};
+    field_desc_[0].range[1] = 1.0;
+    field_desc_[1] = made(hrbfnpr_field_desc_init);
+    field_desc_[1].kind = HRBFNPR_FIELD_KIND_DIRECTION;
+    field_desc_[1].points = field_desc_[1].values = in(points_, 6);
+    corners_.assign(64, 0);
+    for (std::uint32_t i = 0; i < 6; ++i) corners_[i] = i;
+    field_desc_[1].triangles = {corners_.data(), 2, 0, HRBFNPR_SCALAR_UINT32, 3};
+    hrbfnpr_field* field = nullptr;
+    check(hrbfnpr_field_create(context_.get(), &field_desc_[0], nullptr, &field, check.error()));
+    density_.reset(field);
+    check(hrbfnpr_field_create(context_.get(), &field_desc_[1], nullptr, &field, check.error()));
+    way_.reset(field);
+    mark_field_ = made(hrbfnpr_mark_field_init);
+    mark_field_.name = "density";
+    mark_field_.field = density_.get();
+    for (std::size_t i = 0; i < 16; i += 5) turn_[i] = 1.0;
+    mark_field_.transform = turn_;
+}
+
 void Scene::describe_marks() {
     scenes::Check check;
     hrbfnpr_model* model = nullptr;
@@ -173,6 +201,7 @@ void Scene::describe_marks() {
     layer_desc_[0].kind = HRBFNPR_LAYER_KIND_HATCH;
     layer_desc_[0].direction_function = along_z;
     layer_desc_[1].kind = HRBFNPR_LAYER_KIND_STIPPLES;
+    layer_desc_[1].density_field = density_.get();
     generate_desc_ = made(hrbfnpr_generate_desc_init);
     generate_desc_.layers = layer_desc_;
     generate_desc_.layer_count = 2;
@@ -190,8 +219,6 @@ void Scene::describe_marks() {
     firsts_[1] = 3;
     firsts_[2] = 6;
     layer_arrays_.stroke_first = {firsts_.data(), 3, 0, HRBFNPR_SCALAR_UINT32, 1};
-    numbers_ = room(6);
-    std::fill_n(numbers_.begin(), 6, 0.5);
     layer_arrays_.rank = layer_arrays_.width = {numbers_.data(), 6, 0, HRBFNPR_SCALAR_FLOAT64, 1};
 
     line_desc_[0] = made(hrbfnpr_line_desc_init);

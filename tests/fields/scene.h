@@ -60,6 +60,8 @@ private:
     Outcome trim();
     Outcome generate();
     Outcome create_point_set();
+    Outcome create_field();
+    Outcome give_field();
     Outcome create_line_set();
     Outcome draw();
     Outcome draw_posed();
@@ -84,6 +86,7 @@ private:
     void connect();
     void describe_surface();
     void describe_marks();
+    void describe_fields();
     void describe_style();
     void describe_output();
     void describe_pictures();
@@ -101,7 +104,7 @@ private:
     std::vector<double> points_, normals_, tangents_, triangles_, up_;
     std::vector<double> result_[6];
     std::vector<std::uint8_t> pixels_, vertices_;
-    std::vector<std::uint32_t> firsts_;
+    std::vector<std::uint32_t> firsts_, corners_;
     std::vector<double> numbers_;
 
     hrbfnpr::test::Context context_;
@@ -109,6 +112,7 @@ private:
     hrbfnpr::test::Model model_;
     hrbfnpr::test::PointSet set_;
     hrbfnpr::test::LineSet lines_;
+    hrbfnpr::test::Field density_, way_;
     hrbfnpr::test::Shading shading_;
     hrbfnpr::test::Mesh mesh_;
     hrbfnpr::test::Renderer renderer_;
@@ -134,6 +138,9 @@ private:
     hrbfnpr_generate_desc generate_desc_{};
     hrbfnpr_layer_arrays layer_arrays_{};
     hrbfnpr_point_set_desc point_set_desc_{};
+    hrbfnpr_field_desc field_desc_[2]{};
+    hrbfnpr_mark_field mark_field_{};
+    double turn_[16]{};
     hrbfnpr_line_desc line_desc_[2]{};
     hrbfnpr_line_set_desc line_set_desc_{};
     hrbfnpr_camera camera_{};

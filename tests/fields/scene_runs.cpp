@@ -123,6 +123,30 @@ Outcome Scene::create_point_set() {
     return picture_of(set);
 }
 
+Outcome Scene::create_field() {
+    for (const hrbfnpr_field_desc& desc : field_desc_) {
+        hrbfnpr_field* field = sentinel<hrbfnpr_field>();
+        hrbfnpr_status status = hrbfnpr_field_create(context_.get(), &desc, operation_.get(), &field, &error_);
+        if (status != HRBFNPR_STATUS_OK) return outcome(status, field == nullptr);
+        const hrbfnpr::test::Field owner(field);
+        std::vector<double> values = room(18);
+        const hrbfnpr_array at = in(points_, 6), normals = in(normals_, 6);
+        const hrbfnpr_array_out to = out(values, 6, desc.kind == HRBFNPR_FIELD_KIND_SCALAR ? 1 : 3);
+        status = hrbfnpr_field_evaluate(field, &at, &normals, &to, nullptr, operation_.get(), &error_);
+        if (status != HRBFNPR_STATUS_OK) return outcome(status);
+    }
+    return outcome(HRBFNPR_STATUS_OK);
+}
+
+Outcome Scene::give_field() {
+    hrbfnpr_point_set* set = sentinel<hrbfnpr_point_set>();
+    const hrbfnpr_status status =
+        hrbfnpr_point_set_with_fields(context_.get(), set_.get(), &mark_field_, 1, 0, operation_.get(), &set, &error_);
+    if (status != HRBFNPR_STATUS_OK) return outcome(status, set == nullptr);
+    const hrbfnpr::test::PointSet owner(set);
+    return picture_of(set);
+}
+
 Outcome Scene::create_line_set() {
     hrbfnpr_line_set* lines = sentinel<hrbfnpr_line_set>();
     const hrbfnpr_status status =
@@ -303,6 +327,9 @@ std::vector<Slot> Scene::slots() {
         FIELDS_TEST_SLOT(hrbfnpr_generate_desc, generate_desc_, generate),
         FIELDS_TEST_SLOT(hrbfnpr_layer_arrays, layer_arrays_, create_point_set),
         FIELDS_TEST_SLOT(hrbfnpr_point_set_desc, point_set_desc_, create_point_set),
+        FIELDS_TEST_SLOT(hrbfnpr_field_desc, field_desc_[0], create_field),
+        FIELDS_TEST_SLOT(hrbfnpr_field_desc, field_desc_[1], create_field),
+        FIELDS_TEST_SLOT(hrbfnpr_mark_field, mark_field_, give_field),
         FIELDS_TEST_SLOT(hrbfnpr_line_desc, line_desc_[0], create_line_set),
         FIELDS_TEST_SLOT(hrbfnpr_line_desc, line_desc_[1], create_line_set),
         FIELDS_TEST_SLOT(hrbfnpr_line_set_desc, line_set_desc_, create_line_set),

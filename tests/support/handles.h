@@ -17,6 +17,7 @@ struct Release {
     void operator()(const hrbfnpr_model* handle) const { hrbfnpr_model_release(handle); }
     void operator()(const hrbfnpr_point_set* handle) const { hrbfnpr_point_set_release(handle); }
     void operator()(const hrbfnpr_line_set* handle) const { hrbfnpr_line_set_release(handle); }
+    void operator()(const hrbfnpr_field* handle) const { hrbfnpr_field_release(handle); }
     void operator()(const hrbfnpr_occluders* handle) const { hrbfnpr_occluders_release(handle); }
     void operator()(const hrbfnpr_shading* handle) const { hrbfnpr_shading_release(handle); }
     void operator()(const hrbfnpr_mesh* handle) const { hrbfnpr_mesh_release(handle); }
@@ -31,6 +32,7 @@ using Operation = std::unique_ptr<hrbfnpr_operation, Release>;
 using Model = std::unique_ptr<hrbfnpr_model, Release>;
 using PointSet = std::unique_ptr<hrbfnpr_point_set, Release>;
 using LineSet = std::unique_ptr<hrbfnpr_line_set, Release>;
+using Field = std::unique_ptr<const hrbfnpr_field, Release>;
 using Occluders = std::unique_ptr<const hrbfnpr_occluders, Release>;
 using Shading = std::unique_ptr<const hrbfnpr_shading, Release>;
 using Mesh = std::unique_ptr<hrbfnpr_mesh, Release>;

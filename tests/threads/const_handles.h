@@ -80,6 +80,45 @@ inline hrbfnpr::test::Shading shading_of(const Context& context, const hrbfnpr::
     return hrbfnpr::test::Shading(shading);
 }
 
+// A field that has the values 1, 2 and 3 at three points.
+inline hrbfnpr_field* make_field(const Context& context, hrbfnpr_error* error, hrbfnpr_status& status) {
+    static constexpr double points[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, values[3] = {1, 2, 3};
+    auto desc = made(hrbfnpr_field_desc_init);
+    desc.points = {points, 3, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    desc.values = {values, 3, 0, HRBFNPR_SCALAR_FLOAT64, 1};
+    hrbfnpr_field* field = nullptr;
+    status = hrbfnpr_field_create(context.get(), &desc, nullptr, &field, error);
+    return field;
+}
+
+inline hrbfnpr::test::Field field_of(const Context& context) {
+    scenes::Check check;
+    hrbfnpr_status status = HRBFNPR_STATUS_OK;
+    hrbfnpr::test::Field field(make_field(context, check.error(), status));
+    check(status);
+    return field;
+}
+
+// The marks with a field "a".
+inline hrbfnpr_point_set* make_marks_with_field(const Context& context, const PointSet& marks,
+                                                const hrbfnpr::test::Field& field, hrbfnpr_error* error,
+                                                hrbfnpr_status& status) {
+    auto named = made(hrbfnpr_mark_field_init);
+    named.name = "a";
+    named.field = field.get();
+    hrbfnpr_point_set* set = nullptr;
+    status = hrbfnpr_point_set_with_fields(context.get(), marks.get(), &named, 1, 0, nullptr, &set, error);
+    return set;
+}
+
+inline PointSet marks_with_field(const Context& context, const PointSet& marks, const hrbfnpr::test::Field& field) {
+    scenes::Check check;
+    hrbfnpr_status status = HRBFNPR_STATUS_OK;
+    PointSet set(make_marks_with_field(context, marks, field, check.error(), status));
+    check(status);
+    return set;
+}
+
 inline hrbfnpr::test::Mesh mesh_of(const Context& context) {
     scenes::Check check;
     const hrbfnpr::test::Triangles from = hrbfnpr::test::icosphere(2);

@@ -65,6 +65,8 @@ struct Shared {
     LineSet lines = line_set_of(context, model);
     hrbfnpr::test::Occluders occluders = occluders_of(context, marks, lines);
     hrbfnpr::test::Shading shading = shading_of(context, occluders, marks, lines);
+    hrbfnpr::test::Field field = field_of(context);
+    PointSet painted = marks_with_field(context, marks, field);
     hrbfnpr::test::Mesh mesh = mesh_of(context);
     Drawing drawing = drawing_of(context, marks);
     hrbfnpr::test::Picture picture = picture_of(context, model);
@@ -320,6 +322,34 @@ void add_point_sets(std::map<std::string, Call>& calls) {
     });
 }
 
+void add_fields(std::map<std::string, Call>& calls) {
+    RETAIN_AND_RELEASE(field, s.field);
+    CALL(hrbfnpr_field_evaluate) {
+        std::vector<double> value(point_count);
+        const auto values = out(value);
+        status = hrbfnpr_field_evaluate(s.field.get(), &s.points, nullptr, &values, nullptr, nullptr, error);
+        result.add(value);
+    });
+    CALL(hrbfnpr_point_set_with_fields) {
+        const PointSet set(make_marks_with_field(s.context, s.marks, s.field, error, status));
+        hrbfnpr_array values{};
+        hrbfnpr_point_set_view_field(set.get(), 0, "a", &values, nullptr, nullptr);
+        const auto* const first = static_cast<const float*>(values.data);
+        result.add(std::vector<float>(first, first + values.count));
+    });
+    CALL(hrbfnpr_point_set_get_field) {
+        const char* name = nullptr;
+        status = hrbfnpr_point_set_get_field(s.painted.get(), 0, &name, nullptr, error);
+        result.add(name);
+    });
+    CALL(hrbfnpr_point_set_view_field) {
+        hrbfnpr_array values{};
+        status = hrbfnpr_point_set_view_field(s.painted.get(), 1, "a", &values, nullptr, error);
+        result.add(values.data);
+        result.add(values.count);
+    });
+}
+
 void add_drawings(std::map<std::string, Call>& calls) {
     RETAIN_AND_RELEASE(drawing, s.drawing);
     INFO(hrbfnpr_drawing_get_info, hrbfnpr_drawing_info, s.drawing);
@@ -474,6 +504,7 @@ std::map<std::string, Call> all_calls() {
     add_models(calls);
     add_meshes(calls);
     add_point_sets(calls);
+    add_fields(calls);
     add_drawings(calls);
     add_pictures(calls);
     return calls;

@@ -78,7 +78,7 @@ TEST(Cancel, WorksFromTheCallbackAtEveryStage) {
         renew(stage);
         EXPECT_EQ(info_of(context).bytes_now, before) << stage.name;
     }
-    EXPECT_EQ(with_operation, 69);
+    EXPECT_EQ(with_operation, 73);
 }
 
 // One operation serves all calls, one after the other. Once it is cancelled, it ends each call before the call begins.

@@ -74,6 +74,7 @@ std::vector<Stage> Stages::all() {
     add_files(stages);
     add_frames(stages);
     add_lights(stages);
+    add_fields(stages);
     add_readers(stages);
     add_pages(stages);
     add_pictures(stages);

@@ -32,6 +32,7 @@ private:
     void add_files(std::vector<Stage>& stages);
     void add_frames(std::vector<Stage>& stages);
     void add_lights(std::vector<Stage>& stages);
+    void add_fields(std::vector<Stage>& stages);
     void add_readers(std::vector<Stage>& stages);
     void add_pages(std::vector<Stage>& stages);
     void add_pictures(std::vector<Stage>& stages);
@@ -48,6 +49,9 @@ private:
     void add_picture(std::vector<Stage>& stages, const char* name, const hrbfnpr_picture_source& source,
                      std::uint32_t preset);
     [[nodiscard]] hrbfnpr_picture_desc picture_desc() const;
+
+    void add_field(std::vector<Stage>& stages, const char* name, const hrbfnpr_field_desc& desc);
+    [[nodiscard]] hrbfnpr_field_desc vertex_field_desc(bool with_triangles) const;
 
     [[nodiscard]] hrbfnpr_camera camera() const;
     [[nodiscard]] hrbfnpr_item lit_item();
@@ -68,6 +72,7 @@ private:
     std::array<hrbfnpr_line_style, 4> line_styles_{};
     std::array<hrbfnpr_light, 2> lights_{};
     hrbfnpr_style lit_style_{};
+    hrbfnpr::test::Field ways_, waves_;
     Occluders occluders_;
     Shading shading_;
     Mesh mesh_, solid_;
