@@ -148,9 +148,11 @@ class Style(NamedTuple):
 
 STYLES = {
     "StyleFields": Style("style", ("tone", "tone_function", "tone_user", "layers", "layer_count", "layer_stride", "lines",
-                                   "line_count", "line_stride", "lights", "light_count", "light_stride")),
+                                   "line_count", "line_stride", "lights", "light_count", "light_stride", "palette",
+                                   "palette_count")),
     "LightFields": Style("light", ()),
-    "LayerStyleFields": Style("layer_style", ("name", "directions")),
+    "LayerStyleFields": Style("layer_style", ("name", "directions", "density_field", "tone_field", "width_field", "ink_field",
+                                                "mask_field")),
     "LineStyleFields": Style("line_style", ("name", "levels"), {
         "wobble_seed": "start of the random numbers of the wobble; any number; default 0",
         "upper": "a line is drawn if its strength is at least this somewhere; 0 together with `lower` 0 = the value of the kind"}),
@@ -255,14 +257,14 @@ DESCRIBED = {
         Row("with_curvature", "", type="bool", default=False, words="whether the marks keep their curvature; "
             '"published" strokes along curvature always do'),
         Row("density", "", type="Density", default="uniform", words='where "blue_noise" stipples are denser: "uniform", '
-            '"curvature" or a function. The function gets positions and unit normals, shape (n, 3) each, and returns n numbers '
+            '"curvature", a `Field` or a function. The function gets positions and unit normals, shape (n, 3) each, and returns n numbers '
             "from 0 (no stipples) to 1 (densest)"),
         Row("density_strength"), Row("separation", words='mean distance between neighbouring lines of "hatch", in the '
             "model's unit; 0: the distance at which the lines have about as many marks as the budget"),
         Row("step", words="distance between the marks of a line, in the model's unit; 0: 0.4 of the separation"),
-        Row("direction", "", type="Optional[Direction]", default=None, words='a function that gives the directions of "hatch" '
-            "lines, instead of `guide`. It gets positions and unit normals, shape (n, 3) each, and returns directions of the "
-            "same shape. Their sign and length do not matter; (0, 0, 0) means no direction"),
+        Row("direction", "", type="Optional[Direction]", default=None, words='a `Field`, or a function that gives the directions '
+            'of "hatch" lines, instead of `guide`. The function gets positions and unit normals, shape (n, 3) each, and returns '
+            "directions of the same shape. Their sign and length do not matter; (0, 0, 0) means no direction"),
         Row("start", words='where strokes of the distribution "published" start'),
         Row("start_level", words='for start "stipples": the last level of stipples at which strokes start, 0 to 12'),
         Row("levels", type="Optional[int]", default=None, words='number of refinement steps of the distribution "published", 0 to '
@@ -443,7 +445,7 @@ def described_doc(described, rows, words):
                 said += f" One of {names}."
         else:
             plain = {"Vector": "(x, y, z)", "Interval": "(begin, end)", "Tuple[float, ...]": "tuple of float",
-                     "Density": "str or callable", "Direction": "callable", "Sequence[float]": "sequence of float",
+                     "Density": "str, Field or callable", "Direction": "Field or callable", "Sequence[float]": "sequence of float",
                      "Sequence[Array]": "sequence of array of float, shape (n, 3)"}.get(plain, plain)  # fmt: skip
         lines += textwrap.wrap(f"{name} : {plain}{', optional' if optional else ''}", WIDTH, subsequent_indent="        ")
         lines += textwrap.wrap(said, WIDTH - 4, initial_indent="    ", subsequent_indent="    ")
@@ -515,9 +517,11 @@ def quoted(text, indent):
 def stub(everything):
     parts = [NOTE, '"""The classes that _records.py makes from _records.json."""\nfrom dataclasses import dataclass\n',
              "from typing import Any, Callable, List, Optional, Sequence, Tuple, Type, TypeVar, Union\n\n",
-             "from ._arrays import Array\nfrom ._drawing import Drawing\nfrom ._fields import Attributes, Color, Field\n\n",
+             "from ._arrays import Array\nfrom ._drawing import Drawing\nfrom ._fields import Attributes, Color, Field\n"
+             "from ._surface_field import Field as SurfaceField\n\n",
              "T = TypeVar(\"T\")\nVector = Tuple[float, float, float]\nInterval = Tuple[float, float]\n",
-             "Density = Union[str, Callable[[Array, Array], Array]]\nDirection = Callable[[Array, Array], Array]\n\n",
+             "Density = Union[str, SurfaceField, Callable[[Array, Array], Array]]\n"
+             "Direction = Union[SurfaceField, Callable[[Array, Array], Array]]\n\n",
              "def read(kind: Type[T], struct: Any, /, **known: Any) -> T: ...\n",
              "def get(kind: Type[T], function: Callable[..., int], *arguments: Any) -> T: ...\n",
              "def text_in(keep: List[Any], text: Optional[str]) -> Any: ...\n",

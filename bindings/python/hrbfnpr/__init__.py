@@ -59,6 +59,7 @@ from ._point_set import PointSet, StepPatches
 from ._renderer import Renderer
 from ._shading import Occluders, Shading
 from ._style import LayerStyle, Style
+from ._surface_field import Dab, Field, FieldValues
 
 from . import csg  # noqa: E402 isort: skip
 
@@ -67,6 +68,7 @@ __version__: str = _ffi.string(_lib.hrbfnpr_version_string()).decode()
 __all__ = [
     "CLASSES", "PRESETS", "PROJECTION_STATUS", "RAY_STATUS", "Annotation", "BufferTooSmallError", "CallbackError",
     "Camera", "CancelledError", "Comparison", "Context", "ContextInfo", "CorruptDataError", "CsgInfo", "Curvature",
+    "Dab", "Field", "FieldValues",
     "DepthImageInfo", "Drawing", "DrawingInfo", "DrawingLayerInfo", "Error", "Evaluation", "InternalError", "InvalidArgumentError", "Item", "Layer",
     "LayerInfo", "LayerStyle", "Light", "LineSet", "LineSetInfo", "LineStyle", "Lines", "MarkIdentity", "MarkLayer",
     "MarkResults", "Mesh", "MeshEdges", "MeshEdgesInfo", "MeshFitInfo", "MeshInfo", "MeshSamples", "Model", "ModelInfo",

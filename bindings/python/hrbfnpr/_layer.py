@@ -21,6 +21,7 @@ from ._names import (
     number_of,
 )
 from ._records import LayerFields, OwnLayerFields, fill
+from ._surface_field import Field
 
 
 @callback("int32_t(void *, int64_t, const double *, const double *, double *)", failure=1)
@@ -64,13 +65,22 @@ class Layer(LayerFields):
             keep.append(handle := state.new_handle())
             return handle
 
-        if callable(self.density):
+        def use(field: Field) -> Any:
+            states.append(field._function)
+            keep.append(field._handle)
+            return field._handle
+
+        if isinstance(self.density, Field):
+            desc.density, desc.density_field = DENSITIES["field"], use(self.density)
+        elif callable(self.density):
             desc.density, desc.density_function = DENSITIES["callback"], _on_density
             desc.density_user = user(self.density)
         else:
-            plain = {name: number for name, number in DENSITIES.items() if name != "callback"}
+            plain = {name: number for name, number in DENSITIES.items() if name not in ("callback", "field")}
             desc.density = number_of("density", plain, self.density)
-        if self.direction is not None:
+        if isinstance(self.direction, Field):
+            desc.direction_field = use(self.direction)
+        elif self.direction is not None:
             desc.direction_function, desc.direction_user = _on_direction, user(self.direction)
         return states, keep
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, List, Optional, Tuple
 
 from . import _records
-from ._arrays import Array, view
-from ._library import lib
+from ._arrays import Array, view, wrap
+from ._callbacks import check
+from ._errors import new_error
+from ._library import ffi, lib
 from ._numpy import np
 from ._records import get
+from ._surface_field import FieldValues
 
 if TYPE_CHECKING:
     from ._records import LayerInfo, PlacementInfo
@@ -55,6 +58,21 @@ class MarkLayer:
 
     def __len__(self) -> int:
         return self.info.marks
+
+    def field(self, name: str) -> FieldValues:
+        """Return what a field gives at the marks: read-only `values`, float32 (n,) or (n, 3), and `weights` (n,).
+
+        `values` is empty if the layer has none, and `weights` if all are 1.
+
+        Raises
+        ------
+        InvalidArgumentError
+            If no layer of the set has a field of this name.
+        """
+        values, weights, error = ffi.new("hrbfnpr_array *"), ffi.new("hrbfnpr_array *"), new_error()
+        given = self._handle, self._number, name.encode(), values, weights, error
+        check(lib.hrbfnpr_point_set_view_field(*given), error)
+        return FieldValues(wrap(values, self._handle), wrap(weights, self._handle))
 
     @property
     def _view(self) -> Tuple[Any, ...]:

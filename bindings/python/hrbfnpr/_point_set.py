@@ -2,10 +2,10 @@
 """Point sets: layers of marks on a surface."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Iterable, List, NamedTuple, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Tuple, Union
 
 from . import _records, _streams
-from ._arrays import Array, block_in, output
+from ._arrays import Array, block_in, matrix_in, output
 from ._callbacks import CallbackState, check
 from ._context import Context, resolve
 from ._errors import new_error, new_list, new_struct
@@ -14,9 +14,10 @@ from ._layer import LayersToMake, OwnLayer, layers_to_make
 from ._library import ffi, lib
 from ._marks import MarkLayer
 from ._model import Model
-from ._names import DISTRIBUTIONS, SEED_SOURCES, TONE_RANGES, number_of
+from ._names import DISTRIBUTIONS, FIELD_KINDS, SEED_SOURCES, TONE_RANGES, name_of, number_of
 from ._operation import Operation, Progress, make, run
 from ._records import Vector, get
+from ._surface_field import Field, FieldValues
 
 if TYPE_CHECKING:
     from ._records import PlacementInfo, PointSetInfo
@@ -241,6 +242,68 @@ class PointSet(Owner):
         if base is not None:
             del base_handle
         return cls(own(out[0], lib.hrbfnpr_point_set_release, context), context)
+
+    def with_fields(
+        self,
+        fields: Mapping[str, Optional[Field]],
+        *,
+        transform: Optional[Array] = None,
+        progress: Optional[Progress] = None,
+        operation: Optional[Operation] = None,
+        context: Optional[Context] = None,
+    ) -> PointSet:
+        """Return a set with the same marks, which also have values of fields.
+
+        The marks are shared, not copied.  Values of other names stay.  They are saved and loaded with the set.  A style
+        refers to fields by their names, see `LayerStyle.tone_field`.
+
+        Parameters
+        ----------
+        fields : mapping of str to Field or None
+            The fields by their names.  None removes the values of a name.
+        transform : array of float, shape (4, 4), optional
+            The matrix from the marks to the fields' coordinates, affine and invertible.  None: they are the same.
+        progress, operation, context
+            As in `Model.fit`.
+
+        Raises
+        ------
+        CallbackError
+            If the function of a field raised an exception.
+
+        Examples
+        --------
+        >>> marks = marks.with_fields({"heat": hrbfnpr.Field.from_points(points, heat, range=(20, 90))})
+        """
+        context = resolve(context)
+        structs = new_list("hrbfnpr_mark_field", len(fields))
+        matrix = ffi.NULL if transform is None else ffi.new("double[16]", matrix_in("transform", transform))
+        keep: List[Any] = [matrix]
+        for target, (name, field) in zip(structs, fields.items()):
+            target.name, target.transform = _records.text_in(keep, name), matrix
+            if field is not None:
+                target.field = field._handle
+                keep.append(target.field)
+        given = context._handle, self._handle, structs, len(fields), 0
+        states = [field._function for field in fields.values() if field is not None]
+        made = make("point_set", lib.hrbfnpr_point_set_with_fields, given, operation, progress, context._handle, context,
+                    states=states)  # fmt: skip
+        del keep
+        return PointSet(made, context)
+
+    @property
+    def fields(self) -> Dict[str, str]:
+        """The kinds of the set's fields ("scalar", "colour" or "direction") by their names."""
+        result: Dict[str, str] = {}
+        name, kind, error = ffi.new("const char **"), ffi.new("uint32_t *"), new_error()
+        for number in range(self.info.field_count):
+            check(lib.hrbfnpr_point_set_get_field(self._handle, number, name, kind, error), error)
+            result[ffi.string(name[0]).decode()] = name_of(FIELD_KINDS, kind[0])
+        return result
+
+    def field(self, name: str) -> Tuple[FieldValues, ...]:
+        """Return the values and weights of a field, for each layer; see `MarkLayer.field`."""
+        return tuple(layer.field(name) for layer in self.layers)
 
     @staticmethod
     def step_patches(

@@ -20,8 +20,8 @@ from ._names import NAMES, TABLE, name_of, number_of
 T = TypeVar("T")
 Vector = Tuple[float, float, float]
 Interval = Tuple[float, float]
-Density = Union[str, Callable[[Array, Array], Array]]
-Direction = Callable[[Array, Array], Array]
+Density = Union[str, "SurfaceField", Callable[[Array, Array], Array]]
+Direction = Union["SurfaceField", Callable[[Array, Array], Array]]
 
 # For each kind of field: its type, and the function that converts its value.  Other kinds are prefixes of constants.
 _KINDS: Dict[Any, Tuple[str, Callable[[Any], Any]]] = {

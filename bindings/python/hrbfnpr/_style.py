@@ -7,16 +7,19 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Seque
 from ._arrays import Array, store
 from ._callbacks import CallbackState, callback
 from ._errors import check, new_error, new_list, new_struct
-from ._fields import Color, Field
+from ._fields import Color, Field, color
 from ._library import ffi, lib
 from ._light import Light
 from ._line_style import LineStyle
 from ._names import LAYER_KINDS, PRESETS, TONES, name_of, number_of
 from ._numpy import np
-from ._records import LayerStyleFields, StyleFields
+from ._records import LayerStyleFields, StyleFields, text_in
 from ._style_part import KindStyle, StylePart
 
 ToneFunction = Callable[[Array, Array], Any]
+
+# The fields of a hrbfnpr_layer_style that name fields of a point set.
+_NAMED = ("density_field", "tone_field", "width_field", "ink_field", "mask_field")
 
 # The lists of a hrbfnpr_style, without the plural's "s", each with the type of its elements.
 _LISTS = {"layer": "hrbfnpr_layer_style", "line": "hrbfnpr_line_style", "light": "hrbfnpr_light"}
@@ -28,6 +31,17 @@ def _directions(name: str, value: Union[int, str, Iterable[str]]) -> int:
         return value
     names = {"first": 1, "second": 2}
     return sum({number_of(name, names, part) for part in ([value] if isinstance(value, str) else value)})
+
+
+def _named(name: str, doc: str) -> Any:
+    """An attribute that names a field of the point set."""
+
+    def write(self: LayerStyle, value: Optional[str]) -> None:
+        if value is not None and not isinstance(value, str):
+            raise TypeError(f"{name} must be the name of a field of the point set, not {type(value).__name__}")
+        self._names[name] = value
+
+    return property(lambda self: self._names.get(name), write, doc=doc)
 
 
 class LayerStyle(LayerStyleFields, KindStyle):
@@ -48,10 +62,34 @@ class LayerStyle(LayerStyleFields, KindStyle):
         lambda bits: tuple(name for bit, name in enumerate(("first", "second")) if bits >> bit & 1),
         'For strokes: the directions that are drawn, of ("first", "second").',
     )
+    density_field: Optional[str] = _named("density_field", "Name of the field by which the share of marks is multiplied.")
+    tone_field: Optional[str] = _named("tone_field", "Name of the field that is the tone, or scales it; see `tone_field_rule`.")
+    width_field: Optional[str] = _named("width_field", "Name of the field by which radii and widths are multiplied.")
+    ink_field: Optional[str] = _named("ink_field", "Name of the field of colours for which marks take inks of `Style.palette`.")
+    mask_field: Optional[str] = _named("mask_field", "Name of the field that leaves marks out where it is below 0.5.")
     _c_type = "hrbfnpr_layer_style"
 
     def __init__(self, kind: str = "any", name: Optional[str] = None, **fields: Any) -> None:
+        self._names: Dict[str, Optional[str]] = {}
         super().__init__(kind, name, fields)
+
+    @classmethod
+    def _from_struct(cls, struct: Any) -> LayerStyle:
+        made = super()._from_struct(struct)
+        for name in _NAMED:
+            given = getattr(struct, name)
+            made._names[name] = None if given == ffi.NULL else ffi.string(given).decode()
+            setattr(made._struct, name, ffi.NULL)
+        return made
+
+    def _values(self) -> Dict[str, Any]:
+        return {**super()._values(), **{name: self._names.get(name) for name in _NAMED}}
+
+    def _fill(self, target: Any) -> Any:
+        keep: List[Any] = super()._fill(target)
+        for name in _NAMED:
+            setattr(target, name, text_in(keep, self._names.get(name)))
+        return keep
 
     def _is_for(self, kind: str, name: Optional[str]) -> bool:
         return self.kind in ("any", kind) and self.name in (None, name)
@@ -75,6 +113,8 @@ class Style(StyleFields):
         Which lines are drawn, and how, for items that have a `LineSet`.
     lights : list of Light
         The lights, up to 8.  An empty list is one light with the fields `light` and `light_space`.
+    palette : list of colours
+        Up to 8 inks for layers with an `ink_field`.
 
     Examples
     --------
@@ -89,6 +129,7 @@ class Style(StyleFields):
         self._layers: List[LayerStyle] = []
         self._lines: List[LineStyle] = []
         self._lights: List[Light] = []
+        self._palette: List[Tuple[float, ...]] = []
         if preset is None:
             self._struct = new_struct("hrbfnpr_style")
         else:
@@ -110,6 +151,9 @@ class Style(StyleFields):
         self._layers = [LayerStyle._from_struct(each) for each in _elements(struct, "layer")]
         self._lines = [LineStyle._from_struct(each) for each in _elements(struct, "line")]
         self._lights = [Light._from_struct(each) for each in _elements(struct, "light")]
+        inks = ffi.unpack(struct.palette, 4 * struct.palette_count) if struct.palette_count else []
+        self._palette = [tuple(inks[i : i + 4]) for i in range(0, len(inks), 4)]
+        struct.palette, struct.palette_count = ffi.NULL, 0
         for name in _LISTS:
             setattr(struct, f"{name}s", ffi.NULL)
             setattr(struct, f"{name}_count", 0)
@@ -168,6 +212,18 @@ class Style(StyleFields):
             if not isinstance(light, Light):
                 raise TypeError(f"lights must be hrbfnpr.Light objects, not {type(light).__name__}")
         self._lights = lights
+
+    @property
+    def palette(self) -> List[Tuple[float, ...]]:
+        """The inks for layers with an `ink_field`, as straight RGBA in [0, 1]; up to 8.
+
+        It may be set to colours such as ["#202020", "#b03020"]; set it whole, as changes of this list have no effect.
+        """
+        return list(self._palette)
+
+    @palette.setter
+    def palette(self, value: Iterable[Color]) -> None:
+        self._palette = [color("palette", ink) for ink in value]
 
     def layer(self, which: str) -> LayerStyle:
         """Return the element of `layers` for a kind of layers or for a name, to change it.
@@ -234,6 +290,7 @@ class Style(StyleFields):
         copy._layers = [style.copy() for style in self._layers]
         copy._lines = [style.copy() for style in self._lines]
         copy._lights = [light.copy() for light in self._lights]
+        copy._palette = list(self._palette)
         copy._struct[0] = self._struct[0]
         copy.update(**fields)
         return copy
@@ -254,7 +311,7 @@ class Style(StyleFields):
                 layer = self.layer(name)
                 for field, part in dict(value).items():
                     setattr(layer, field, part)
-            elif name in self.fields() or name in ("tone", "layers", "lines", "lights"):
+            elif name in self.fields() or name in ("tone", "layers", "lines", "lights", "palette"):
                 setattr(self, name, value)
             else:
                 raise TypeError(f"Style has no field {name!r}")
@@ -262,7 +319,8 @@ class Style(StyleFields):
     def _values(self) -> Dict[str, Any]:
         values = {name: getattr(self, name) for name in self.fields()}
         return {**values, "tone": self.tone, "layers": [style.copy() for style in self._layers],
-                "lines": [style.copy() for style in self._lines], "lights": [light.copy() for light in self._lights]}
+                "lines": [style.copy() for style in self._lines], "lights": [light.copy() for light in self._lights],
+                "palette": self.palette}
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Style) and self._values() == other._values()
@@ -287,6 +345,9 @@ class Style(StyleFields):
             keep += [structs, *(part._fill(ffi.addressof(structs, i)) for i, part in enumerate(parts))]
             setattr(struct, f"{name}s", structs)
             setattr(struct, f"{name}_count", len(parts))
+        inks = ffi.new("float[]", [number for ink in self._palette for number in ink])
+        keep.append(inks)
+        struct.palette, struct.palette_count = inks if self._palette else ffi.NULL, len(self._palette)
         if self._tone is None:
             return struct, None, keep
         state = CallbackState(self._tone)
