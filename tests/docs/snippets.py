@@ -41,6 +41,7 @@ SECTIONS = {
 }
 HERE_PYTHON = {
     "docs/csg.md",
+    "docs/fields.md",
     "docs/fitting.md",
     "docs/hatching.md",
     "docs/light.md",

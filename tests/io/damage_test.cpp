@@ -13,7 +13,7 @@ class Damage : public testing::TestWithParam<Sample> {
 protected:
     [[nodiscard]] Bytes bytes(std::int64_t count = 2) const { return bytes_of(GetParam(), count); }
     Outcome load(const Bytes& bytes) { return samples::load(memory, bytes, is_model()); }
-    static bool is_model() { return GetParam() != Sample::point_set; }
+    static bool is_model() { return GetParam() != Sample::point_set && GetParam() != Sample::painted_set; }
 
     static bool is_csg() { return GetParam() == Sample::csg_model; }
     static int numbers() { return is_csg() ? 6 : 12; } // in the second section
@@ -261,6 +261,33 @@ TEST(PointSetFile, ContentIsChecked) {
     expect(set_message([](Set& s) { s.layers[0].report.step = -0.5; }), "step or time of a layer is negative");
     expect(set_message([](Set& s) { s.layers[0].report.seconds = -0.5; }), "step or time of a layer is negative");
     expect(set_message([](Set& s) { s.seconds_total = -0.5; }), "one of its times is negative");
+}
+
+TEST(PointSetFile, FieldsAreChecked) {
+    using Fields = base::List<marks::MarkField>;
+    const auto expect = [](auto&& change, const char* part) {
+        const std::string message = set_message([&](Set& s) {
+            s = with_fields(std::move(s));
+            change(s.layers[1].fields);
+        });
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+    };
+    expect([](Fields& f) { f[0].value.push_back(0.0F); }, "'FVAL' has 10 elements instead of 9");
+    expect([](Fields& f) { f[0].value[2] = NAN; }, "value of a field");
+    expect([](Fields& f) { f[1].weight[2] = 1.5F; }, "weight of a field is outside [0, 1]");
+    expect([](Fields& f) { f[1].weight[2] = NAN; }, "weight of a field is outside [0, 1]");
+    expect([](Fields& f) { f[1].weight.resize(2); }, "one weight for each mark");
+    expect([](Fields& f) { f[1].name = f[0].name; }, "the same name");
+    expect([](Fields& f) { f[1].name = {}; }, "name of a field is not 1 to 63 bytes of UTF-8");
+    expect([](Fields& f) { f[0].kind = static_cast<marks::FieldKind>(3); }, "kind of a field is unknown");
+    expect([](Fields& f) { f[0].kind = marks::FieldKind::direction; }, "different kinds in two layers");
+    const auto add = [](Fields& f, int count) {
+        for (int i = 0; i < count; ++i) {
+            f.add(f.memory()).name = {static_cast<char>('0' + i / 10), static_cast<char>('0' + i % 10)};
+            for (int mark = 0; mark < 3; ++mark) f.back().value.push_back(1.0F);
+        }
+    };
+    expect([&](Fields& f) { add(f, 63); }, "a layer has 65 fields, too many");
 }
 
 // All readers of a set trust the order of its strokes.

@@ -122,7 +122,34 @@ TEST(Golden, APointSetOfVersion3Loads) {
     EXPECT_EQ(set.layers[1].mark_of(1), 0) << "the seed in the middle of its stroke";
     EXPECT_EQ(set.layers[1].stroke_of(0), 0);
     EXPECT_FALSE(set.layers[0].progressive);
-    EXPECT_EQ(bytes_of(set), bytes); // until there is a version 4
+    EXPECT_EQ(bytes_of(set), bytes); // sets without fields are still written in this version
+}
+
+// The same set with a scalar field, a field of colours with weights, and a field of directions.
+TEST(Golden, APointSetOfVersion4Loads) {
+    base::Memory memory;
+    const Bytes bytes = golden("sphere_6.points.v4");
+    MemoryReader reader = reader_of(bytes);
+    const marks::PointSet set = load_point_set(memory, reader);
+    ASSERT_EQ(set.layers.size(), 3);
+    for (const marks::Layer& layer : set.layers) {
+        ASSERT_EQ(layer.fields.size(), 3);
+        const marks::MarkField* const height = layer.field_of("height");
+        const marks::MarkField* const colour = layer.field_of("colour");
+        const marks::MarkField* const way = layer.field_of("way");
+        ASSERT_TRUE(height != nullptr && colour != nullptr && way != nullptr);
+        EXPECT_EQ(height->kind, marks::FieldKind::scalar);
+        EXPECT_EQ(colour->kind, marks::FieldKind::colour);
+        EXPECT_EQ(way->kind, marks::FieldKind::direction);
+        EXPECT_TRUE(height->weight.empty());
+        for (std::int64_t i = 0; i < layer.count(); ++i) {
+            EXPECT_EQ(height->value[i], layer.position[3 * i + 2]);
+            EXPECT_EQ(colour->weight[i], i % 2 == 0 ? 1.0F : 0.5F);
+            EXPECT_EQ(colour->value[3 * i + 1], 0.25F);
+            EXPECT_NEAR(way->value[3 * i], layer.normal[3 * i + 1], 1e-6F);
+        }
+    }
+    EXPECT_EQ(bytes_of(set), bytes); // until there is a version 5
 }
 
 // Versions before the first release cannot be read.

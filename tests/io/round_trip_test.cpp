@@ -183,6 +183,25 @@ TEST(PointSetFile, KeepsNormalsForTone) {
     EXPECT_EQ(loaded.layers[1].tone_normal[0], -1.0F);
 }
 
+TEST(PointSetFile, KeepsFields) {
+    base::Memory memory;
+    for (const std::int64_t count : {0, 1, 3000}) {
+        const marks::PointSet set = with_fields(point_set(memory, count));
+        const Bytes bytes = bytes_of(set);
+        EXPECT_EQ(bytes[12], point_set_version);
+        MemoryReader reader = reader_of(bytes);
+        const marks::PointSet loaded = load_point_set(memory, reader);
+        EXPECT_EQ(bytes, bytes_of(loaded));
+        const marks::MarkField* const heat = loaded.layers[1].field_of("heat");
+        ASSERT_NE(heat, nullptr);
+        EXPECT_EQ(heat->kind, marks::FieldKind::scalar);
+        ASSERT_EQ(heat->value.size(), count);
+        if (count > 0) EXPECT_EQ(heat->value[0], set.layers[1].fields[1].value[0]);
+        EXPECT_EQ(loaded.layers[0].field_of("heat"), nullptr);
+        EXPECT_EQ(loaded.layers[0].field_of("colour")->kind, marks::FieldKind::colour);
+    }
+}
+
 TEST(PointSetFile, GivesBackEveryField) {
     base::Memory memory;
     const marks::PointSet set = point_set(memory, 4);

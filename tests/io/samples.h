@@ -114,6 +114,25 @@ inline marks::PointSet point_set(base::Memory& memory, std::int64_t count) {
     return set;
 }
 
+// Gives all layers a colour, and strokes a number with weights.
+inline marks::PointSet with_fields(marks::PointSet set) {
+    for (marks::Layer& layer : set.layers) {
+        marks::MarkField& colour = layer.fields.add(layer.rank.memory());
+        colour.name = {'c', 'o', 'l', 'o', 'u', 'r'};
+        colour.kind = marks::FieldKind::colour;
+        for (std::int64_t i = 0; i < 3 * layer.count(); ++i)
+            colour.value.push_back(static_cast<float>(number(3000 + i) + 0.5));
+        if (layer.kind != marks::Kind::hatch) continue;
+        marks::MarkField& heat = layer.fields.add(layer.rank.memory());
+        heat.name = {'h', 'e', 'a', 't'};
+        for (std::int64_t i = 0; i < layer.count(); ++i) {
+            heat.value.push_back(static_cast<float>(number(4000 + i)));
+            heat.weight.push_back(i % 2 == 0 ? 1.0F : 0.25F);
+        }
+    }
+    return set;
+}
+
 inline Bytes bytes_of(const implicit::HrbfData& data) {
     BytesWriter writer;
     save_model({&data, nullptr, report()}, nullptr, writer);
@@ -189,10 +208,11 @@ inline Bytes csg_model_bytes(std::int64_t count = 2) {
 }
 
 // The kinds of files that the damage tests change.
-enum class Sample : std::uint8_t { point_set, model, trimmed_model, csg_model };
-inline constexpr Sample all_samples[] = {Sample::point_set, Sample::model, Sample::trimmed_model, Sample::csg_model};
+enum class Sample : std::uint8_t { point_set, painted_set, model, trimmed_model, csg_model };
+inline constexpr Sample all_samples[] = {Sample::point_set, Sample::painted_set, Sample::model, Sample::trimmed_model,
+                                         Sample::csg_model};
 inline const char* name_of(Sample sample) {
-    constexpr const char* names[] = {"PointSet", "Model", "TrimmedModel", "CsgModel"};
+    constexpr const char* names[] = {"PointSet", "PaintedSet", "Model", "TrimmedModel", "CsgModel"};
     return names[static_cast<std::size_t>(sample)];
 }
 
@@ -201,8 +221,14 @@ inline Bytes point_set_bytes(std::int64_t count = 2) {
     return bytes_of(point_set(memory, count));
 }
 
+inline Bytes painted_set_bytes(std::int64_t count = 2) {
+    base::Memory memory;
+    return bytes_of(with_fields(point_set(memory, count)));
+}
+
 inline Bytes bytes_of(Sample sample, std::int64_t count = 2) {
     if (sample == Sample::point_set) return point_set_bytes(count);
+    if (sample == Sample::painted_set) return painted_set_bytes(count);
     if (sample == Sample::csg_model) return csg_model_bytes(count);
     return sample == Sample::model ? model_bytes(count) : trimmed_model_bytes(count);
 }
