@@ -152,7 +152,7 @@ namespace HrbfNpr.Tests
             faults.AddRange(Unseen(typeof(hrbfnpr_line_style), typeof(LineStyle)));
             faults.AddRange(Unseen(typeof(hrbfnpr_style), typeof(Style),
                 "tone_user", "layer_count", "layer_stride", "line_count", "line_stride", "light_count",
-                "light_stride"));
+                "light_stride", "palette_count"));
             faults.AddRange(Unseen(typeof(hrbfnpr_light), typeof(Light)));
             faults.AddRange(Unseen(typeof(hrbfnpr_shading_desc), typeof(ShadingOptions)));
             faults.AddRange(Unseen(typeof(hrbfnpr_layer_pose), typeof(LayerPose)));

@@ -64,7 +64,10 @@ bool names(const std::string& message, const FieldLayout& field, const Change& c
                                                                           {"flags", "would be blank"},
                                                                           {"unit_mm", "view_height"},
                                                                           {"unit_mm", "camera.projection"},
-                                                                          {"node_count", "parent"}};
+                                                                          {"node_count", "parent"},
+                                                                          {"source", "field_desc.function is NULL"},
+                                                                          {"source", "field_desc.image is NULL"},
+                                                                          {"kind", "field_desc.values.components"}};
     return std::any_of(std::begin(partners), std::end(partners), [&](const auto& pair) {
         return pair.first == field.name && message.find(pair.second) != std::string::npos;
     });

@@ -196,7 +196,7 @@ TEST(PointSetFile, KeepsFields) {
         ASSERT_NE(heat, nullptr);
         EXPECT_EQ(heat->kind, marks::FieldKind::scalar);
         ASSERT_EQ(heat->value.size(), count);
-        if (count > 0) EXPECT_EQ(heat->value[0], set.layers[1].fields[1].value[0]);
+        EXPECT_TRUE(std::equal(heat->value.begin(), heat->value.end(), set.layers[1].fields[1].value.begin()));
         EXPECT_EQ(loaded.layers[0].field_of("heat"), nullptr);
         EXPECT_EQ(loaded.layers[0].field_of("colour")->kind, marks::FieldKind::colour);
     }

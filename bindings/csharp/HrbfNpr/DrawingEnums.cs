@@ -136,6 +136,26 @@ namespace HrbfNpr
         Published = 1,
     }
 
+    /// <summary>What <see cref="LayerStyle.ToneField"/> does to the tone.</summary>
+    [NativeConstants("HRBFNPR_FIELD_RULE_")]
+    public enum FieldRule
+    {
+        /// <summary>The tone becomes the value (default).</summary>
+        Replace = 0,
+        /// <summary>The tone is multiplied by the value.</summary>
+        Scale = 1,
+    }
+
+    /// <summary>Which inks of a palette marks take.</summary>
+    [NativeConstants("HRBFNPR_PALETTE_")]
+    public enum PaletteRule
+    {
+        /// <summary>Each mark takes the ink that is nearest to its colour (default).</summary>
+        Nearest = 0,
+        /// <summary>Neighbouring marks take the two or three inks whose mean is the colour.</summary>
+        Mixed = 1,
+    }
+
     /// <summary>Where a light comes from.</summary>
     [NativeConstants("HRBFNPR_LIGHT_KIND_")]
     public enum LightKind

@@ -142,6 +142,11 @@ namespace HrbfNpr
         /// <summary>Number of strokes in the layer.</summary>
         public readonly long Strokes;
 
+        /// <summary>Number of the ink in <see cref="Style.Palette"/>; -1 = the layer's own ink.</summary>
+        public readonly int InkNumber;
+
+        private readonly uint reserved;
+
         /// <summary>Class of the marks: Front or Silhouette.</summary>
         public MarkClass MarkClass
         {

@@ -437,6 +437,20 @@ namespace HrbfNpr
         Curvature = 1,
         /// <summary>The density of <see cref="Layer.DensityFunction"/>.</summary>
         Callback = 2,
+        /// <summary>The density of <see cref="Layer.DensityField"/>.</summary>
+        Field = 3,
+    }
+
+    /// <summary>The values of a <see cref="HrbfNpr.Field"/>.</summary>
+    [NativeConstants("HRBFNPR_FIELD_KIND_")]
+    public enum FieldKind
+    {
+        /// <summary>One number (default).</summary>
+        Scalar = 0,
+        /// <summary>r, g and b; sRGB-encoded, 0 to 1.</summary>
+        Colour = 1,
+        /// <summary>x, y and z.  Only the tangent part counts; its sign does not.</summary>
+        Direction = 2,
     }
 
     /// <summary>The tones in which layers appear, if they have no tone range of their own.</summary>

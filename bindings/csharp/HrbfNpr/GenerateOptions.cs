@@ -127,6 +127,7 @@ namespace HrbfNpr
         private readonly HeldHandles held = new HeldHandles();
         private readonly List<PlaceState> states = new List<PlaceState>();
         private readonly List<UserHandle> users = new List<UserHandle>();
+        private readonly List<CallbackState> functions = new List<CallbackState>(); // of fields; may be null
 
         internal GenerateCall(GenerateOptions options)
         {
@@ -163,6 +164,13 @@ namespace HrbfNpr
                     throw new CallbackException("the " + state.Name + " function threw: " + thrown.Message, thrown);
                 }
             }
+            foreach (CallbackState function in functions)
+            {
+                if (status != 0 && function?.LastException != null)
+                {
+                    call.Check(status, error, function);
+                }
+            }
             call.Check(status, error, model.Function);
         }
 
@@ -192,6 +200,7 @@ namespace HrbfNpr
             {
                 Layer layer = options.Layers[i] ?? throw new ArgumentNullException(nameof(options.Layers));
                 layer.Write(first + i, pins);
+                Use(layer, first + i);
                 if (layer.DensityFunction != null)
                 {
                     first[i].density_function = PlaceState.Density;
@@ -215,6 +224,20 @@ namespace HrbfNpr
             }
             Desc.layers = (IntPtr)first;
             Desc.layer_count = layers.Length;
+        }
+
+        private void Use(Layer layer, hrbfnpr_layer_desc* desc)
+        {
+            if (layer.DensityField != null)
+            {
+                desc->density_field = held.Hold(layer.DensityField.Handle);
+                functions.Add(layer.DensityField.Function);
+            }
+            if (layer.DirectionField != null)
+            {
+                desc->direction_field = held.Hold(layer.DirectionField.Handle);
+                functions.Add(layer.DirectionField.Function);
+            }
         }
 
         private IntPtr Add(PlaceState state)

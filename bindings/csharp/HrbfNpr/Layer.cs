@@ -114,6 +114,12 @@ namespace HrbfNpr
         public DensityFunction DensityFunction { get; set; }
 
         /// <summary>
+        /// The scalar field of <see cref="HrbfNpr.Density.Field"/>: 1 where marks lie closest, 0 where no mark lies;
+        /// default null.
+        /// </summary>
+        public Field DensityField { get; set; }
+
+        /// <summary>
         /// Hatch: mean distance of neighbouring lines, in the unit of the samples; 1e-12 to 1e9 diagonals; default 0 =
         /// by the budget.  Smaller values give more lines.
         /// </summary>
@@ -126,6 +132,12 @@ namespace HrbfNpr
 
         /// <summary>Hatch: the directions that lines follow; default null = those of <see cref="Guide"/>.</summary>
         public DirectionFunction DirectionFunction { get; set; }
+
+        /// <summary>
+        /// Hatch: a field of directions that lines follow; default null.  It excludes <see cref="DirectionFunction"/>.
+        /// Where its weight is below 0.5, lines follow the smoothest field between.
+        /// </summary>
+        public Field DirectionField { get; set; }
 
         /// <summary>Where the strokes of <see cref="Distribution.Published"/> start; default Seeds.</summary>
         public StrokeStart Start { get; set; }

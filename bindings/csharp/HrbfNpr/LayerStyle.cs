@@ -4,6 +4,8 @@ namespace HrbfNpr
     /// <summary>How layers of marks are drawn.  Lengths in pixels are those of the picture.</summary>
     public sealed unsafe class LayerStyle : NamedStyle
     {
+        private Utf8Name[] fields = new Utf8Name[5];
+
         /// <summary>Creates a style with all defaults, for layers of one kind or of every kind.</summary>
         public LayerStyle(LayerKind kind = LayerKind.Any)
         {
@@ -122,13 +124,71 @@ namespace HrbfNpr
         /// </summary>
         public uint HatchSeed { get; set; }
 
+        /// <summary>
+        /// Name of the scalar field of the point set by which the share of marks that is shown is multiplied; default
+        /// null = none.
+        /// </summary>
+        public string DensityField
+        {
+            get { return fields[0].Text; }
+            set { fields[0] = new Utf8Name(value); }
+        }
+
+        /// <summary>Name of the scalar field that is the tone, or scales it; default null = none.</summary>
+        public string ToneField
+        {
+            get { return fields[1].Text; }
+            set { fields[1] = new Utf8Name(value); }
+        }
+
+        /// <summary>
+        /// Name of the scalar field by which radii of dots and widths of lines are multiplied; default null = none.
+        /// </summary>
+        public string WidthField
+        {
+            get { return fields[2].Text; }
+            set { fields[2] = new Utf8Name(value); }
+        }
+
+        /// <summary>
+        /// Name of the field of colours for which marks take inks of <see cref="Style.Palette"/>; default null = none.
+        /// </summary>
+        public string InkField
+        {
+            get { return fields[3].Text; }
+            set { fields[3] = new Utf8Name(value); }
+        }
+
+        /// <summary>
+        /// Name of the scalar field that leaves marks out where it is below 0.5; default null = none.
+        /// </summary>
+        public string MaskField
+        {
+            get { return fields[4].Text; }
+            set { fields[4] = new Utf8Name(value); }
+        }
+
+        /// <summary>What <see cref="ToneField"/> does to the tone; default Replace.</summary>
+        public FieldRule ToneFieldRule { get; set; }
+
+        /// <summary>Which inks the marks of an <see cref="InkField"/> take; default Nearest.</summary>
+        public PaletteRule PaletteRule { get; set; }
+
+        /// <summary>The names of the fields as UTF-8, in the order of the properties.</summary>
+        internal Utf8Name[] Fields
+        {
+            get { return fields; }
+        }
+
         /// <summary>Copies the style.</summary>
         public LayerStyle Clone()
         {
-            return (LayerStyle)MemberwiseClone();
+            var copy = (LayerStyle)MemberwiseClone();
+            copy.fields = (Utf8Name[])fields.Clone();
+            return copy;
         }
 
-        /// <summary>Writes everything except the name.</summary>
+        /// <summary>Writes everything except the names.</summary>
         internal void Write(hrbfnpr_layer_style* native)
         {
             Errors.Check(NativeMethods.hrbfnpr_layer_style_init(native, (uint)sizeof(hrbfnpr_layer_style)));
@@ -153,6 +213,8 @@ namespace HrbfNpr
             native->hatch_wobble = HatchWobble;
             native->hatch_overshoot = HatchOvershoot;
             native->hatch_seed = HatchSeed;
+            native->tone_field_rule = (uint)ToneFieldRule;
+            native->palette_rule = (uint)PaletteRule;
         }
 
         private void Read(hrbfnpr_layer_style* native)
@@ -179,6 +241,13 @@ namespace HrbfNpr
             HatchWobble = native->hatch_wobble;
             HatchOvershoot = native->hatch_overshoot;
             HatchSeed = native->hatch_seed;
+            ToneFieldRule = (FieldRule)native->tone_field_rule;
+            PaletteRule = (PaletteRule)native->palette_rule;
+            DensityField = Utf8Name.Read(native->density_field);
+            ToneField = Utf8Name.Read(native->tone_field);
+            WidthField = Utf8Name.Read(native->width_field);
+            InkField = Utf8Name.Read(native->ink_field);
+            MaskField = Utf8Name.Read(native->mask_field);
         }
     }
 }

@@ -120,6 +120,41 @@ namespace HrbfNpr
         }
 #endif
 
+        /// <summary>
+        /// Copies the values of a field: n numbers for a scalar, 3 n for other kinds; empty if the layer has none.
+        /// </summary>
+        /// <param name="name">The name of the field.</param>
+        /// <exception cref="InvalidArgumentException">No layer of the set has a field of this name.</exception>
+        public float[] FieldValues(string name)
+        {
+            return FieldView(name, false);
+        }
+
+        /// <summary>Copies the weights of a field: n numbers from 0 to 1; empty if all are 1.</summary>
+        /// <param name="name">The name of the field.</param>
+        /// <exception cref="InvalidArgumentException">No layer of the set has a field of this name.</exception>
+        public float[] FieldWeights(string name)
+        {
+            return FieldView(name, true);
+        }
+
+        private float[] FieldView(string name, bool weights)
+        {
+            hrbfnpr_array values, its;
+            hrbfnpr_error error = Errors.New();
+            using (var pins = new Pins())
+            {
+                Errors.Check(
+                    NativeMethods.hrbfnpr_point_set_view_field(
+                        pointSet.Handle, Number, (byte*)pins.Text(name), &values, &its, &error),
+                    &error);
+            }
+            using (var view = new NativeView(pointSet.Handle.Share(), weights ? its : values))
+            {
+                return view.ToArray<float>();
+            }
+        }
+
         private hrbfnpr_array Array(MarkAttribute attribute)
         {
             hrbfnpr_array view;

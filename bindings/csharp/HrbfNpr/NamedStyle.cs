@@ -4,6 +4,24 @@ using System.Text;
 
 namespace HrbfNpr
 {
+    /// <summary>A name, also as UTF-8 with a terminating zero.</summary>
+    internal readonly unsafe struct Utf8Name
+    {
+        internal readonly string Text;
+        internal readonly byte[] Utf8;
+
+        internal Utf8Name(string text)
+        {
+            Text = text;
+            Utf8 = text == null ? null : Encoding.UTF8.GetBytes(text + "\0");
+        }
+
+        internal static string Read(IntPtr native)
+        {
+            return native == IntPtr.Zero ? null : Errors.Utf8((byte*)native);
+        }
+    }
+
     /// <summary>The base of styles of layers and of lines, which may be for those of one name only.</summary>
     public abstract unsafe class NamedStyle
     {

@@ -3,6 +3,7 @@ using System;
 using System.Collections.Generic;
 using System.Collections.ObjectModel;
 using System.IO;
+using System.Threading;
 
 namespace HrbfNpr
 {
@@ -239,6 +240,93 @@ namespace HrbfNpr
                 made.Take(created, context.Anchor);
                 Errors.Check(status, &error);
                 return new PointSet(made);
+            }
+        }
+
+        /// <summary>The kinds of the fields of the set, by name.</summary>
+        public IReadOnlyDictionary<string, FieldKind> Fields
+        {
+            get
+            {
+                var kinds = new Dictionary<string, FieldKind>();
+                long count = Info.FieldCount;
+                for (long i = 0; i < count; ++i)
+                {
+                    byte* name;
+                    uint kind;
+                    hrbfnpr_error error = Errors.New();
+                    Errors.Check(
+                        NativeMethods.hrbfnpr_point_set_get_field(handle, i, &name, &kind, &error), &error);
+                    kinds.Add(Errors.Utf8(name), (FieldKind)kind);
+                }
+                return kinds;
+            }
+        }
+
+        /// <summary>
+        /// Makes a point set that has the same marks, which are shared, and values of fields for them.  Values of other
+        /// names stay.  They are saved and loaded with the set.
+        /// </summary>
+        /// <param name="fields">The fields by the names for styles, of 1 to 63 bytes of UTF-8; null removes the values
+        /// of a name.</param>
+        /// <param name="transform">The matrix from the marks to the fields: 16 numbers, column-major, affine and
+        /// invertible; null = the identity.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
+        /// <param name="cancellationToken">Cancels the call.</param>
+        /// <exception cref="InvalidArgumentException">A name or the transform is wrong.</exception>
+        /// <exception cref="CancelledException">The call was cancelled.</exception>
+        /// <exception cref="CallbackException">The function of a field threw an exception.</exception>
+        public PointSet WithFields(
+            IReadOnlyDictionary<string, Field> fields, double[] transform = null, Context context = null,
+            IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            if (fields == null)
+            {
+                throw new ArgumentNullException(nameof(fields));
+            }
+            if (transform != null && transform.Length != 16)
+            {
+                throw new InvalidArgumentException("transform must have 16 numbers, not " + transform.Length);
+            }
+            context = Context.Resolve(context);
+            var list = new hrbfnpr_mark_field[fields.Count];
+            CallbackState function = null;
+            using (var pins = new Pins())
+            using (var held = new HeldHandles())
+            using (var call = new LongCall(context.Handle, progress, cancellationToken))
+            {
+                IntPtr matrix = transform == null ? IntPtr.Zero : pins.Pin(transform);
+                var first = (hrbfnpr_mark_field*)pins.Pin(list);
+                int i = 0;
+                foreach (KeyValuePair<string, Field> named in fields)
+                {
+                    hrbfnpr_mark_field* to = first + i++;
+                    Errors.Check(NativeMethods.hrbfnpr_mark_field_init(to, (uint)sizeof(hrbfnpr_mark_field)));
+                    to->name = pins.Text(named.Key);
+                    to->field = named.Value == null ? IntPtr.Zero : held.Hold(named.Value.Handle);
+                    to->transform = matrix;
+                }
+                hrbfnpr_error error = Errors.New();
+                var made = new PointSetHandle();
+                int status = NativeMethods.hrbfnpr_point_set_with_fields(
+                    context.Handle, handle, list.Length == 0 ? null : first, list.Length, 0, call.Operation,
+                    out IntPtr created, &error);
+                made.Take(created, context.Anchor);
+                foreach (Field field in fields.Values)
+                {
+                    function = field?.Function?.LastException != null ? field.Function : function;
+                }
+                try
+                {
+                    call.Check(status, &error, function);
+                    return new PointSet(made);
+                }
+                catch
+                {
+                    made.Dispose();
+                    throw;
+                }
             }
         }
 

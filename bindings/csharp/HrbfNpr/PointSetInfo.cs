@@ -115,8 +115,11 @@ namespace HrbfNpr
         /// <summary>Time of the whole call, in seconds.</summary>
         public readonly double SecondsTotal;
 
-        /// <summary>Bytes that the point set keeps.</summary>
+        /// <summary>Bytes that the point set keeps, with what it shares with other sets.</summary>
         public readonly long Bytes;
+
+        /// <summary>Number of fields whose values the set holds.</summary>
+        public readonly long FieldCount;
 
         /// <summary>The distribution that was used.</summary>
         public Distribution Distribution

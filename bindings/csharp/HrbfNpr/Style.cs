@@ -33,6 +33,7 @@ namespace HrbfNpr
             Layers = new List<LayerStyle>();
             Lines = new List<LineStyle>();
             Lights = new List<Light>();
+            Palette = new List<Color>();
             Read(&style);
         }
 
@@ -67,6 +68,11 @@ namespace HrbfNpr
                 light += stride != 0 ? stride : ((hrbfnpr_light*)style->lights)->struct_size;
             }
             Lights = lights;
+            Palette = new List<Color>();
+            for (long i = 0; i < style->palette_count; ++i)
+            {
+                Palette.Add(Color.Read((float*)style->palette + 4 * i));
+            }
             Read(style);
             if (style->tone_function == ToneState.Function)
             {
@@ -95,6 +101,7 @@ namespace HrbfNpr
             {
                 Lights.Add(light.Clone());
             }
+            Palette = new List<Color>(other.Palette);
             hrbfnpr_style style;
             other.Write(&style);
             Read(&style);
@@ -126,6 +133,9 @@ namespace HrbfNpr
         /// <see cref="ToneBlack"/>), clamped to 0 to 1.
         /// </remarks>
         public IList<Light> Lights { get; }
+
+        /// <summary>The inks for layers with a <see cref="LayerStyle.InkField"/>; up to 8; default none.</summary>
+        public IList<Color> Palette { get; }
 
         /// <summary>How ink behind a nearer surface is drawn; default Attenuate.</summary>
         public HiddenLines HiddenLines { get; set; }

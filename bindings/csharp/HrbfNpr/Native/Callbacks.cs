@@ -141,6 +141,10 @@ namespace HrbfNpr
             IntPtr user, long count, double* positions, double* normals, double* directions);
 
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int Field(
+            IntPtr user, long count, double* positions, double* normals, double* values, double* weights);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int Tone(IntPtr user, long count, float* positions, float* normals, float* tau);
 
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]

@@ -195,9 +195,25 @@ namespace HrbfNpr
 
     internal sealed class FieldHandle : NativeHandle
     {
+        private UserHandle user;
+
+        /// <summary>Keeps the state of a function as long as the field; returns its <c>user</c> pointer.</summary>
+        internal IntPtr Keep(CallbackState state)
+        {
+            user = new UserHandle(state);
+            return user.Pointer;
+        }
+
+        /// <summary>Frees the state after the field could not be created.</summary>
+        internal void Forget()
+        {
+            user.Dispose();
+        }
+
         protected override void Free(IntPtr value)
         {
             NativeMethods.hrbfnpr_field_release(value);
+            user.Dispose();
         }
     }
 

@@ -20,7 +20,12 @@ namespace HrbfNpr
                     throw new ArgumentNullException(nameof(Style.Layers));
                 }
                 size += layers[i].NameUtf8 == null ? 0 : Memory.Rounded(layers[i].NameUtf8.Length);
+                foreach (Utf8Name field in layers[i].Fields)
+                {
+                    size += field.Utf8 == null ? 0 : Memory.Rounded(field.Utf8.Length);
+                }
             }
+            size += Memory.Rounded((long)style.Palette.Count * sizeof(Color));
             return size + Size(style.Lines) + Memory.Rounded((long)style.Lights.Count * sizeof(hrbfnpr_light));
         }
 
@@ -39,10 +44,16 @@ namespace HrbfNpr
                     LayerStyle layer = style.Layers[i];
                     layer.Write(layers + i);
                     layers[i].name = Copy(layer.NameUtf8, memory);
+                    layers[i].density_field = Copy(layer.Fields[0].Utf8, memory);
+                    layers[i].tone_field = Copy(layer.Fields[1].Utf8, memory);
+                    layers[i].width_field = Copy(layer.Fields[2].Utf8, memory);
+                    layers[i].ink_field = Copy(layer.Fields[3].Utf8, memory);
+                    layers[i].mask_field = Copy(layer.Fields[4].Utf8, memory);
                 }
             }
             Write(style.Lines, native, memory);
             Write(style.Lights, native, memory);
+            Write(style.Palette, native, memory);
             return native;
         }
 
@@ -100,6 +111,22 @@ namespace HrbfNpr
             {
                 Light light = lights[i] ?? throw new ArgumentNullException(nameof(Style.Lights));
                 light.Write(first + i);
+            }
+        }
+
+        private static void Write(IList<Color> palette, hrbfnpr_style* native, Memory memory)
+        {
+            int count = palette.Count;
+            if (count == 0)
+            {
+                return;
+            }
+            var first = (Color*)memory.Take((long)count * sizeof(Color));
+            native->palette = (IntPtr)first;
+            native->palette_count = count;
+            for (int i = 0; i < count; ++i)
+            {
+                first[i] = palette[i];
             }
         }
 
