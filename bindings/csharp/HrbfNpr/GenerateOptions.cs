@@ -127,7 +127,7 @@ namespace HrbfNpr
         private readonly HeldHandles held = new HeldHandles();
         private readonly List<PlaceState> states = new List<PlaceState>();
         private readonly List<UserHandle> users = new List<UserHandle>();
-        private readonly List<CallbackState> functions = new List<CallbackState>(); // of fields; may be null
+        private readonly List<CallbackState> functions = new List<CallbackState>(); // fields without a function have null
 
         internal GenerateCall(GenerateOptions options)
         {
