@@ -2167,11 +2167,14 @@ typedef struct hrbfnpr_layer_style {
      * alone gives.  Layers without values of a field are drawn without it.  If no layer of a set has it, drawing fails
      * with INVALID_ARGUMENT.  Fields have no effect with VISIBILITY_PUBLISHED. */
     const char* density_field; /* SCALAR: the share of marks that is shown is multiplied by the value, clamped to
-                                  0 .. 1 */
-    const char* tone_field;    /* SCALAR: the tone, 1 = light, 0 = dark, as tone_field_rule says; clamped to 0 .. 1 */
-    const char* width_field;   /* SCALAR: radii and widths are multiplied by the value, clamped to 0 .. 16 */
+                                  0 .. 1.  With SHAPE_HATCH, the darkness is multiplied */
+    const char* tone_field;    /* SCALAR: changes the tone tau, 1 = light, 0 = dark, as tone_field_rule says.  REPLACE
+                                  clamps the value to 0 .. 1, SCALE to 0 .. 16, and the result is clamped to 0 .. 1 */
+    const char* width_field;   /* SCALAR: radii and widths are multiplied by the value, clamped to 0 .. 16; 0 leaves
+                                  marks out */
     const char* ink_field;     /* COLOUR: each mark takes an ink of the style's palette, as palette_rule says.  Marks
-                                  with a weight below 0.5 take `ink` */
+                                  with a weight below 0.5 take `ink`.  Strokes are cut where their ink changes, except
+                                  that parts shorter than twice their width take the ink of the part before */
     const char* mask_field;    /* SCALAR: marks with a value below 0.5 are left out, and strokes end there */
     uint32_t tone_field_rule;  /* HRBFNPR_FIELD_RULE_...; default REPLACE */
     uint32_t palette_rule;     /* HRBFNPR_PALETTE_...; default NEAREST */
@@ -3463,7 +3466,9 @@ typedef struct hrbfnpr_pen {
     double width;       /* width of all lines, in mm; 0 .. 1e6; default 0 = as drawn.  For plotters it is the width of
                            the pen, 0.3 if it is 0 */
     float ink[4];       /* colour of the ink, straight RGBA; default alpha 0 = as drawn */
-    uint32_t number;    /* number of a plotter's pen, 1 .. 255; default 1 */
+    uint32_t number;    /* number of a plotter's pen, 1 .. 255; default 1.  If the pen is for several groups, each ink of
+                           a style's palette has a pen of its own: the group "stipples ink 1" has number + 1, and so on.
+                           Without any pen, the numbers begin at 1 */
     uint32_t reserved;  /* must be 0 */
 } hrbfnpr_pen;
 

@@ -133,7 +133,7 @@ hrbfnpr_drawing_layer_info describe_layer(const drawing::Drawing& from, std::int
         std::memcpy(info.name, layer.line_name.data(), sizeof info.name);
     }
     for (int i = 0; i < 4; ++i) info.ink[i] = layer.ink[i];
-    info.ink_number = -1;
+    info.ink_number = layer.ink_number;
     const auto is_own = [&](std::uint32_t other) { return other == static_cast<std::uint32_t>(number); };
     for (const drawing::IndexRange& piece : from.dot_ranges)
         for (std::int64_t i = piece.begin; i < piece.end; ++i)

@@ -54,6 +54,7 @@ public:
         std::size_t style = 0;
         std::size_t line = 0;
         std::size_t light = 0;
+        std::size_t ink = 0;
         std::size_t pose = 0;
         for (std::int64_t i = 0; i < items_.count(); ++i) {
             const hrbfnpr_item given = items_[i];
@@ -67,7 +68,10 @@ public:
                 std::as_const(renderer_.poses).span().subspan(pose, static_cast<std::size_t>(given.pose_count));
             item.style.lights =
                 std::as_const(renderer_.styles.lights).span().subspan(light, static_cast<std::size_t>(its.light_count));
+            item.style.palette =
+                std::as_const(renderer_.styles.palette).span().subspan(ink, static_cast<std::size_t>(its.palette_count));
             style += item.style.layers.size();
+            ink += item.style.palette.size();
             light += item.style.lights.size();
             line += item.style.lines.size();
             pose += item.poses.size();

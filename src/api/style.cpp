@@ -56,6 +56,9 @@ void add_layers(const Style& style, const char* owner, base::Array<frame::LayerS
         const GivenLayer given = list[i];
         layer_style_fields().check(list.name(i).text, given);
         check_hatch(given, list.name(i).text);
+        if (given.ink_field != nullptr && style.palette_count == 0)
+            fail(Status::invalid_argument, "%s.ink_field is given, but %s.palette has no inks; give it 1 to %d",
+                 list.name(i).text, owner, static_cast<int>(frame::most_inks));
         frame::LayerStyle layer;
         layer_style_fields().copy(given, layer);
         layers.push_back(layer);
@@ -74,6 +77,21 @@ void add_lights(const Style& style, const char* owner, base::Array<frame::LightS
         frame::LightStyle light;
         light_fields().copy(given, light);
         lights.push_back(light);
+    }
+}
+
+void add_palette(const Style& style, const char* owner, base::Array<glm::vec4>& palette) {
+    if (style.palette_count < 0 || style.palette_count > frame::most_inks)
+        fail(Status::invalid_argument, "%s.palette_count is %lld; it must be from 0 to %d", owner,
+             static_cast<long long>(style.palette_count), static_cast<int>(frame::most_inks));
+    Checks(owner).not_null("palette", style.palette_count == 0 || style.palette != nullptr);
+    for (std::int64_t i = 0; i < 4 * style.palette_count; ++i) {
+        const float number = style.palette[i];
+        if (!(number >= 0.0F && number <= 1.0F))
+            fail(Status::invalid_argument, "%s.palette[%lld] is %g; it must be from 0 to 1", owner,
+                 static_cast<long long>(i), static_cast<double>(number));
+        if (i % 4 == 0) palette.push_back(glm::vec4(0.0F));
+        palette.back()[static_cast<int>(i % 4)] = number;
     }
 }
 
@@ -153,6 +171,7 @@ frame::Style checked_style(const hrbfnpr_style& style, const char* owner, StyleL
     add_layers(style, owner, lists.layers);
     add_lights(style, owner, lists.lights);
     add_lines(style, owner, lists.lights, lists.lines);
+    add_palette(style, owner, lists.palette);
     frame::Style to;
     style_fields().copy(style, to);
     return to;

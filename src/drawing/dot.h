@@ -48,6 +48,7 @@ struct Dot {
     std::uint32_t layer;   // index of the dot's layer in the drawing
     MarkClass mark_class;
     std::uint8_t flags; // a combination of the bits dot_* below
+    std::uint8_t ink = 0; // while a frame is made: the number of the dot's ink among those of its run
 };
 inline constexpr std::uint8_t dot_faces_back = 1;
 inline constexpr std::uint8_t dot_is_exact = 2; // the model itself, and not depth layers, decides what hides the dot

@@ -192,9 +192,9 @@ struct VisibleCluster {
     }
 };
 
-// Returns an upper bound for the share of front marks that select() shows.
-[[nodiscard]] float largest_shown_share(const RunView& v, const Selection& selection,
-                                        const VisibleCluster& visible) noexcept {
+// Returns an upper bound for the share of front marks that select() shows. `fields` bounds the effects of fields.
+[[nodiscard]] float largest_shown_share(const RunView& v, const Selection& selection, const VisibleCluster& visible,
+                                        const FieldBounds& fields) noexcept {
     const ClusterView& view = visible.view;
     const Style& style = v.item.style;
     if (selection.is_published || style.tone == Tone::callback) return 1.0F;
@@ -204,14 +204,14 @@ struct VisibleCluster {
     const SeenShares seen =
         shading != nullptr ? shading->layers[v.run.layer].of_cluster[&visible.cluster - v.run.clusters->cluster.data()]
                            : SeenShares();
-    float shown = 1.0F - (is_bounded ? least_tau(visible.cluster, v.sight, seen) : 0.0F);
+    float shown = 1.0F - fields.least_tone(is_bounded ? least_tau(visible.cluster, v.sight, seen) : 0.0F);
     if (selection.coverage) {
         const float nu = std::max(-view.nu_min, -view.nu_max);
         const auto cell = static_cast<std::size_t>(shown * needed_steps);
         const float needed = v.ink.needed[std::min<std::size_t>(cell + 1, needed_steps)];
         shown = std::min(1.0F, needed * nu * selection.per_ink);
     }
-    return 1.001F * selection.share * selection.fade_factor * shown + 1e-5F;
+    return 1.001F * selection.share * selection.fade_factor * fields.most_density * shown + 1e-5F;
 }
 
 // Returns the rules for drawing a cluster. `reach` is the largest radius of a mark's disc, including its rim.
@@ -415,18 +415,26 @@ void add_splats(const RunView& v, const VisibleCluster& visible, const Projected
     return scratch;
 }
 
+// Adds the dots of the first `count` marks. `fields` has the effects of fields, or is NULL if the run has none.
 void add_dots(const RunView& v, const VisibleCluster& visible, const Selection& selection,
-              const ProjectedMarks& projected, std::int64_t count, const ProjectionLoops& loops,
-              GatherOutput& out) noexcept {
+              const ProjectedMarks& projected, std::int64_t count, const FieldRows* fields,
+              const ProjectionLoops& loops, GatherOutput& out) noexcept {
     HRBFNPR_ASSERT(v.run.draws_front && count > 0 && count <= visible.cluster.count);
     std::array<float, ProjectedMarks::most> tau;
+    const float* tones = tones_of(v, visible, projected, count, loops, tau.data());
+    if (v.run.fields.tone != nullptr) {
+        for (std::int64_t i = 0; i < count; ++i)
+            tau[static_cast<std::size_t>(i)] =
+                FieldEffect{1.0F, fields->tone_factor[i], fields->tone_added[i], 1.0F}.tone(tones[i]);
+        tones = tau.data();
+    }
+    const InkChoice* const inks = v.scene.inks_of(v.run);
     std::array<float, ProjectedMarks::most> tau_depth;
     const DepthTone depth_tone(v.item.style, v.scene.lens.eye_per_world);
     for (std::int64_t i = 0; depth_tone.is_on && i < count; ++i)
         tau_depth[static_cast<std::size_t>(i)] = depth_tone(projected.distance[i]);
     Selected selected;
-    loops.select(selection, {visible.blocks, count}, projected,
-                 tones_of(v, visible, projected, count, loops, tau.data()),
+    loops.select(selection, {visible.blocks, count}, projected, tones, fields != nullptr ? fields->density : nullptr,
                  depth_tone.is_on ? tau_depth.data() : nullptr, selected);
     if (!visible.is_uniform) {
         out.counts.outside += selected.outside;
@@ -440,8 +448,10 @@ void add_dots(const RunView& v, const VisibleCluster& visible, const Selection& 
     for (std::int64_t first = 0, word = 0; first < count; first += selected.lanes, ++word) {
         for (unsigned bits = selected.drawn[word]; bits != 0; bits &= bits - 1) {
             const std::int64_t i = first + std::countr_zero(bits);
+            const std::int64_t place = visible.cluster.block * MarkBlock::size + i;
             const float radius = v.run.discs.front_ink(projected.pixels_per_unit[i]) *
-                                 (width.empty() ? 1.0F : width[visible.cluster.block * MarkBlock::size + i]);
+                                 (width.empty() ? 1.0F : width[place]) *
+                                 (fields == nullptr ? 1.0F : fields->width[i]);
             // The runs of the other side of a surface have opposite normals. The flag refers to the normals of the
             // front side, as for splats.
             const bool faces_back = (projected.nu[i] > 0.0F) != v.run.turned;
@@ -457,7 +467,8 @@ void add_dots(const RunView& v, const VisibleCluster& visible, const Selection& 
                           v.run.first_id + visible.mark(i),
                           v.layer,
                           MarkClass::front,
-                          flags};
+                          flags,
+                          inks == nullptr ? std::uint8_t{0} : inks->of_mark(visible.mark(i), place)};
         }
     }
 }
@@ -475,8 +486,9 @@ void gather_cluster(const RunView& v, const marks::Cluster& cluster, const Proje
                            false,
                            0.0F};
     const ClusterView& view = visible.view;
-    const float reach = (v.run.draws_front ? v.run.discs.front_ink(view.pixels_per_unit) : 0.0F) + soft_rim;
-    if (view.beyond > reach) {
+    const float ink = v.run.draws_front ? v.run.discs.front_ink(view.pixels_per_unit) : 0.0F;
+    const bool has_widths = v.run.fields.width != nullptr;
+    if (view.beyond > (has_widths ? RunFields::most_factor : 1.0F) * ink + soft_rim) {
         counts.outside += marks;
         return;
     }
@@ -489,10 +501,15 @@ void gather_cluster(const RunView& v, const marks::Cluster& cluster, const Proje
     if (view.inside && view.nu_min > band) counts.back += marks;
     visible.is_uniform = view.inside && (view.nu_max < -band || view.nu_min > band);
     visible.halo_nu_squared = largest_halo_nu_squared(cluster, visible.pixel_curvature);
-    const Selection selection = selection_of(v, visible, reach);
     const bool tone = v.run.draws_front && v.run.shape != Shape::hatch && v.run.draws_direction(cluster.direction) &&
                       view.nu_min < 0.0F;
-    const std::int64_t inks = tone ? count_shown(visible, largest_shown_share(v, selection, visible)) : 0;
+    FieldRows rows;
+    FieldBounds fields;
+    const bool has_fields = tone && v.run.fields.any();
+    if (has_fields)
+        fields = v.run.fields.effects_on(marks, [&](std::int64_t i) { return visible.mark(i); }, rows);
+    const Selection selection = selection_of(v, visible, fields.most_width * ink + soft_rim);
+    const std::int64_t inks = tone ? count_shown(visible, largest_shown_share(v, selection, visible, fields)) : 0;
     if (!visible.is_uniform)
         counts.culled += marks - inks;
     else if (tone)
@@ -502,7 +519,7 @@ void gather_cluster(const RunView& v, const marks::Cluster& cluster, const Proje
     ProjectedMarks projected;
     loops.project(v.sight.view_transform, {visible.blocks, std::max(splats, inks)}, projected);
     if (splats > 0) add_splats(v, visible, projected, splats, out);
-    if (inks > 0) add_dots(v, visible, selection, projected, inks, loops, out);
+    if (inks > 0) add_dots(v, visible, selection, projected, inks, has_fields ? &rows : nullptr, loops, out);
 }
 
 } // namespace

@@ -25,15 +25,29 @@ constexpr std::int64_t strokes_a_task = 256;
 // Finds whether all possible ink has one colour, because its order then does not matter. The drawing's layers of runs
 // come first, in the order of the runs. The layers of lines follow.
 void find_color(const Scene& scene, drawing::Drawing& drawing) {
-    HRBFNPR_ASSERT(scene.runs.size() <= drawing.layers.size());
     drawing.one_color = true;
     bool first = true;
-    for (std::int64_t l = 0; l < drawing.layers.size(); ++l) {
-        if (l < scene.runs.size() && !scene.runs[l].draws_front) continue;
-        const glm::vec4& ink = drawing.layers[l].ink;
+    const auto add = [&](std::int64_t layer) {
+        const glm::vec4& ink = drawing.layers[layer].ink;
         if (std::exchange(first, false)) drawing.ink_color = ink;
         drawing.one_color = drawing.one_color && ink == drawing.ink_color;
+    };
+    std::int64_t end = 0; // the end of the layers of runs
+    for (const Run& run : scene.runs) {
+        HRBFNPR_ASSERT(run.first_layer == end);
+        end += run.layers;
+        for (std::int64_t l = run.first_layer; run.draws_front && l < end; ++l) add(l);
     }
+    for (std::int64_t l = end; l < drawing.layers.size(); ++l) add(l);
+}
+
+// Moves dots from the numbers of their runs to the drawing's layers. They differ only if there are several inks.
+void take_layers(const base::Parallel& parallel, const Scene& scene, drawing::Drawing& drawing) {
+    if (scene.inks.empty()) return;
+    parallel.for_each(drawing.dot_ranges.size(), [&](std::int64_t piece) {
+        for (std::int64_t i = drawing.dot_ranges[piece].begin; i < drawing.dot_ranges[piece].end; ++i)
+            drawing.dots[i].layer = scene.runs[drawing.dots[i].layer].first_layer + drawing.dots[i].ink;
+    });
 }
 
 // Puts all dots into tiles, except dots of hatching.
@@ -346,7 +360,7 @@ std::int64_t cast_dot_rays(const base::Runtime& runtime, const Scene& scene, con
 LayerFrame::LayerFrame(const base::Runtime& runtime) noexcept
     : runtime_(runtime), gathering_(runtime.memory), hatch_points_(runtime), hatch_tiles_(runtime),
       edges_(runtime.memory), layers_(runtime.memory), dot_of_(runtime.memory), joined_(runtime.memory),
-      ready_(runtime.memory), keys_(runtime.memory), order_(runtime.memory) {}
+      line_(runtime.memory), line_inks_(runtime.memory), ready_(runtime.memory), keys_(runtime.memory), order_(runtime.memory) {}
 
 void LayerFrame::run(const Scene& scene, const LineStrokes& lines, const base::Progress& progress,
                      drawing::Drawing& drawing) {
@@ -376,6 +390,7 @@ void LayerFrame::run(const Scene& scene, const LineStrokes& lines, const base::P
     const std::span<const float> largest = drawing.has_splats ? layers_.largest.span() : std::span<const float>();
     make_strokes(runtime_, scene, {edges_, drawing, largest}, hatch_points_.batches(), drawing);
     join_dots(scene, drawing);
+    take_layers(runtime_.parallel, scene, drawing);
     add_strokes(lines, drawing);
     drawing.counts.nanoseconds_sort += watch.nanoseconds();
 }
@@ -391,8 +406,34 @@ void LayerFrame::dim(const Scene& scene, drawing::Drawing& drawing) {
     drawing.counts.dropped_hidden = dots - drawing.dot_count;
 }
 
-// If a layer is drawn as strokes, joins its consecutive marks that are shown into lines. The dots of these marks are no
-// longer drawn. A mark without shown neighbours stays a dot.
+// Makes a line through the dots of consecutive marks of a stroke. The line is cut where the ink changes. The dots are no
+// longer drawn. dot_at(k) is the dot of the k-th mark.
+template <class DotAt>
+void LayerFrame::join(const Run& run, std::int64_t count, const DotAt& dot_at) {
+    HRBFNPR_ASSERT(count >= 2);
+    line_.clear();
+    line_inks_.clear();
+    float length = 0.0F;
+    for (std::int64_t k = 0; k < count; ++k) {
+        Dot& dot = dot_at(k);
+        if (k > 0) length += std::hypot(dot.x - line_.back().x, dot.y - line_.back().y);
+        line_.push_back(
+            {dot.x, dot.y, dot.radius, dot.opacity, dot.depth, dot.window, dot.pixels_per_unit, length, dot.id});
+        line_inks_.push_back(dot.ink);
+        dot.opacity = 0.0F;
+    }
+    drawing::Stroke stroke;
+    stroke.depth = line_[count / 2].depth;
+    if (run.inks >= 0) settle_inks(line_.span(), line_inks_.span());
+    add_in_inks(stroke, run.first_layer, line_.span(), line_inks_.span(),
+                [&](drawing::Stroke part, std::span<const drawing::StrokePoint> points) {
+                    joined_.add_points(part, points);
+                    joined_.strokes.push_back(part);
+                });
+}
+
+// If a layer is drawn as strokes, joins its consecutive marks that are shown into lines. A mark without shown neighbours
+// stays a dot.
 void LayerFrame::join_dots(const Scene& scene, drawing::Drawing& drawing) {
     joined_.strokes.clear();
     joined_.points.clear();
@@ -414,22 +455,8 @@ void LayerFrame::join_dots(const Scene& scene, drawing::Drawing& drawing) {
                 const std::int64_t begin = i;
                 while (i < end && dot_at(i) >= 0) ++i;
                 if (i - begin < 2) continue;
-                drawing::Stroke stroke;
-                stroke.first = joined_.points.size();
-                stroke.count = static_cast<std::int32_t>(i - begin);
-                stroke.layer = static_cast<std::uint32_t>(r);
-                stroke.depth = drawing.dots[dot_at((begin + i) / 2)].depth;
-                joined_.strokes.push_back(stroke);
-                float length = 0.0F;
-                for (std::int64_t k = begin; k < i; ++k) {
-                    Dot& dot = drawing.dots[dot_at(k)];
-                    if (k > begin)
-                        length += std::hypot(dot.x - joined_.points.back().x, dot.y - joined_.points.back().y);
-                    joined_.points.push_back({dot.x, dot.y, dot.radius, dot.opacity, dot.depth, dot.window,
-                                              dot.pixels_per_unit, length, dot.id});
-                    dot.opacity = 0.0F;
-                }
-                drawing.dot_count -= stroke.count;
+                join(run, i - begin, [&](std::int64_t k) -> Dot& { return drawing.dots[dot_at(begin + k)]; });
+                drawing.dot_count -= i - begin;
                 HRBFNPR_ASSERT(drawing.dot_count >= 0);
             }
         }
@@ -475,7 +502,8 @@ void LayerFrame::add_strokes(const LineStrokes& lines, drawing::Drawing& drawing
 
 std::int64_t LayerFrame::bytes() const noexcept {
     return gathering_.bytes() + hatch_points_.bytes() + hatch_tiles_.bytes() + edges_.bytes() + layers_.bytes() +
-           dot_of_.bytes() + joined_.strokes.bytes() + joined_.points.bytes() + ready_.bytes() + keys_.bytes() +
+           dot_of_.bytes() + joined_.strokes.bytes() + joined_.points.bytes() + line_.bytes() + line_inks_.bytes() +
+           ready_.bytes() + keys_.bytes() +
            order_.bytes();
 }
 

@@ -58,6 +58,8 @@ private:
 
     void dim(const Scene& scene, drawing::Drawing& drawing);
     void join_dots(const Scene& scene, drawing::Drawing& drawing);
+    template <class DotAt>
+    void join(const Run& run, std::int64_t count, const DotAt& dot_at);
     void add_strokes(const LineStrokes& lines, drawing::Drawing& drawing);
 
     const base::Runtime& runtime_;
@@ -68,6 +70,8 @@ private:
     DepthLayers layers_;
     base::Array<std::int64_t> dot_of_; // for each mark of a run: the index of its dot, or -1 if the mark is not shown
     LineStrokes joined_;
+    base::Array<drawing::StrokePoint> line_; // the line of one stroke
+    base::Array<std::uint8_t> line_inks_;    // the inks of its points
     base::Array<ReadyStroke> ready_;
     base::Array<std::uint64_t> keys_;
     drawing::DepthSort order_;

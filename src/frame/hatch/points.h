@@ -173,7 +173,7 @@ struct HatchCut {
 // The strokes made from a batch of samples (strokes.h).
 struct HatchStrokePart {
     explicit HatchStrokePart(base::Memory& memory) noexcept
-        : made(memory), length(memory), cuts(memory), row(memory), near(memory), raw(memory) {}
+        : made(memory), length(memory), cuts(memory), row(memory), near(memory), raw(memory), inks(memory) {}
 
     LineStrokes made;
     std::int64_t seen = 0;              // how many dots are seen
@@ -185,6 +185,7 @@ struct HatchStrokePart {
     base::Array<float> row;                // the presences of a chain
     base::Array<std::uint8_t> near;        // for each sample: a bit for each reason why the line ends or fades near it
     base::Array<drawing::StrokePoint> raw; // all points of a stroke, before some are left out
+    base::Array<std::uint8_t> inks;        // the inks of these points
 
     void clear() noexcept {
         made.strokes.clear();
@@ -193,7 +194,7 @@ struct HatchStrokePart {
     }
     [[nodiscard]] std::int64_t bytes() const noexcept {
         return made.strokes.bytes() + made.points.bytes() + length.bytes() + cuts.bytes() + row.bytes() + near.bytes() +
-               raw.bytes();
+               raw.bytes() + inks.bytes();
     }
 };
 

@@ -111,7 +111,8 @@ RunSight sight_of_run(const HatchView& view, const Run& run, const ItemSight& si
              1.0F / style.hatch_spacing, 1.0F / style.hatch_pen};
     const bool posed = run.normal != run.marks->normal.data();
     const bool is_shaded = run.shading_of(item) != nullptr;
-    if (taus == nullptr && item.style.tone == Tone::light && !is_shaded && !(posed && run.has_tone_normals())) {
+    const bool is_lit = taus == nullptr && item.style.tone == Tone::light && run.fields.tone == nullptr;
+    if (is_lit && !is_shaded && !(posed && run.has_tone_normals())) {
         if (run.has_tone_normals()) v.tone_normal = run.marks->tone_normal.data();
         v.lightest = lightest_facing(sight.lighting, 1.0F - style.hatch_tone_begin, rounding_of_darkness);
     }
@@ -134,6 +135,14 @@ RunSight sight_of_run(const HatchView& view, const Run& run, const ItemSight& si
     return v;
 }
 
+// Returns bounds for what fields do to the marks of a piece.
+[[nodiscard]] FieldBounds field_bounds_of(const RunSight& v, const marks::StrokePiece& piece) noexcept {
+    if (!v.run.fields.any()) return {};
+    FieldRows rows;
+    return v.run.fields.effects_on(
+        piece.count, [&](std::int64_t i) { return v.run.marks->mark_of(piece.first + i); }, rows);
+}
+
 // Returns whether a mark of the piece may be drawn. If not, all of its marks are too light, face away, are outside, or
 // have a level without space.
 bool may_draw_piece(const RunSight& v, const marks::StrokePiece& piece) noexcept {
@@ -147,7 +156,8 @@ bool may_draw_piece(const RunSight& v, const marks::StrokePiece& piece) noexcept
     const std::int64_t number = &piece - v.run.clusters->piece.data();
     const SeenShares seen = shading != nullptr ? shading->layers[v.run.layer].of_piece[number] : SeenShares();
     const float tau = is_lit ? least_tau_of_piece(piece, v.sight, seen) : 0.0F;
-    const float darkness = 1.0F - tau + rounding_of_margins;
+    const FieldBounds fields = field_bounds_of(v, piece);
+    const float darkness = (1.0F - fields.least_tone(tau)) * fields.most_density + rounding_of_margins;
     if (darkness < v.style.hatch_tone_begin) return false;
     return !(v.separation > 0.0F) || has_room(v, piece.level, view.nearest, darkness);
 }
@@ -320,6 +330,10 @@ void set_darkness(const RunSight& v, std::span<const std::uint32_t> numbers, con
                     rows[HatchRow::nu], darkness);
         for (std::int64_t i = 0; i < count; ++i) darkness[i] = 1.0F - darkness[i];
     }
+    for (std::int64_t i = 0; v.run.fields.any() && i < count; ++i) {
+        const FieldEffect effect = v.run.fields.effect_on(numbers[static_cast<std::size_t>(i)]);
+        darkness[i] = (1.0F - effect.tone(1.0F - darkness[i])) * effect.density;
+    }
     const DepthTone depth_tone(style, v.view.scene.lens.eye_per_world);
     for (std::int64_t i = 0; depth_tone.is_on && i < count; ++i) darkness[i] *= depth_tone(rows[HatchRow::distance][i]);
     if (v.taus == nullptr) return;
@@ -373,6 +387,8 @@ void see_marks(const RunSight& v, std::span<const std::uint32_t> numbers, const 
         v.view.loops.set_widths(how, v.law, rows, count, closed);
     else
         set_widths_alone(v, numbers, rows);
+    for (std::int64_t i = 0; v.run.fields.width != nullptr && i < count; ++i)
+        rows[HatchRow::width][i] *= v.run.fields.effect_on(numbers[static_cast<std::size_t>(i)]).width;
     v.view.loops.measure_distances(rows, count, closed);
 }
 

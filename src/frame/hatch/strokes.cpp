@@ -82,9 +82,10 @@ enum Presence : std::size_t {
 // Makes the strokes of one chain.
 class ChainStrokes {
 public:
-    ChainStrokes(const LayerStyle& style, float halo, const Hiding& hiding, const HatchChain& chain,
+    // `inks` is NULL if the run has no inks.
+    ChainStrokes(const Run& run, const InkChoice* inks, float halo, const Hiding& hiding, const HatchChain& chain,
                  std::span<const HatchSample> samples, std::span<Dot> dots, HatchStrokePart& part)
-        : style_(style), halo_(halo), hiding_(hiding), chain_(chain), samples_(samples), dots_(dots), part_(part) {
+        : run_(run), style_(*run.style), inks_(inks), halo_(halo), hiding_(hiding), chain_(chain), samples_(samples), dots_(dots), part_(part) {
         HRBFNPR_ASSERT(samples.size() == dots.size() && samples.size() >= 2);
         const std::int64_t count = size();
         part.length.clear();
@@ -459,7 +460,7 @@ private:
         if (raw().size() < 2) return;
         Stroke stroke;
         stroke.first = part_.made.points.size();
-        stroke.layer = dot(0).layer;
+        stroke.layer = run_.first_layer;
         stroke.closed = drawn.closed;
         const float whole = raw().back().length;
         const bool has_tips = whole > 4.0F * hatch_tuning.tip_reach;
@@ -482,10 +483,40 @@ private:
         if (begins_in_tip) points[stroke.first + 1].radius = std::min(points[stroke.first + 1].radius, widest);
         if (ends_in_tip) points[points.size() - 2].radius = std::min(points[points.size() - 2].radius, widest);
         keep_within_edges(stroke.first);
+        if (inks_ == nullptr)
+            finish(stroke, begins_in_tip, ends_in_tip);
+        else
+            cut_by_inks(stroke, begins_in_tip, ends_in_tip);
+    }
+
+    // Adds a stroke whose points, the last ones made, are complete.
+    void finish(Stroke stroke, bool begins_in_tip, bool ends_in_tip) {
+        const base::Array<StrokePoint>& points = part_.made.points;
         leave_out(stroke.first + (begins_in_tip ? 1 : 0), points.size() - (ends_in_tip ? 2 : 1));
         stroke.count = static_cast<std::int32_t>(points.size() - stroke.first);
         stroke.depth = points[stroke.first + stroke.count / 2].depth;
         part_.made.strokes.push_back(stroke);
+    }
+
+    // Adds a stroke for each part of one ink.
+    void cut_by_inks(const Stroke& stroke, bool begins_in_tip, bool ends_in_tip) {
+        base::Array<StrokePoint>& points = part_.made.points;
+        raw().clear();
+        part_.inks.clear();
+        for (std::int64_t i = stroke.first; i < points.size(); ++i) {
+            const bool is_same = !raw().empty() && raw().back().id == points[i].id;
+            const std::uint8_t ink = is_same ? part_.inks.back() : inks_->of_mark(points[i].id - run_.first_id, 0);
+            raw().push_back(points[i]);
+            part_.inks.push_back(ink);
+        }
+        points.resize(stroke.first);
+        settle_inks(raw().span(), part_.inks.span());
+        add_in_inks(stroke, run_.first_layer, raw().span(), part_.inks.span(),
+                    [&](Stroke part, std::span<const StrokePoint> own) {
+                        part_.made.add_points(part, own);
+                        finish(part, begins_in_tip && own.data() == raw().data(),
+                               ends_in_tip && own.data() + own.size() == raw().data() + raw().size());
+                    });
     }
 
     [[nodiscard]] base::Array<StrokePoint>& raw() const noexcept { return part_.raw; }
@@ -592,7 +623,9 @@ private:
         }
     };
 
+    const Run& run_;
     const LayerStyle& style_;
+    const InkChoice* inks_;
     float halo_;
     const Hiding& hiding_;
     const HatchChain& chain_;
@@ -624,7 +657,8 @@ void make_strokes(const base::Runtime& runtime, const Scene& scene, const Hiding
                 if (std::exchange(last, own[i].id) == own[i].id || is_seen) continue;
                 part.hidden += *std::min_element(samples[i].margin.begin(), samples[i].margin.end()) >= 0.0F ? 1 : 0;
             }
-            ChainStrokes(*run.style, scene.item_of(run).style.halo_width, hiding, chain, samples, own, part)();
+            ChainStrokes(run, scene.inks_of(run), scene.item_of(run).style.halo_width, hiding, chain, samples, own,
+                         part)();
             for (Dot& dot : own) dot.opacity = 0.0F;
         }
         std::uint32_t last = 0;

@@ -266,7 +266,7 @@ HWY_INLINE W shown_for(const Selection& j, W tau, W nu) {
 HWY_INLINE std::int32_t count(M mask) { return static_cast<std::int32_t>(hn::CountTrue(F(), mask)); }
 
 // Returns how much of each front mark is drawn. Counts the reasons why marks are not drawn.
-HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M front, Selected& selected) {
+HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W density, W tau_depth, M front, Selected& selected) {
     const F d;
     const W zero = hn::Zero(d);
     const W scale = hn::Set(d, j.scale);
@@ -276,11 +276,12 @@ HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M f
     if (j.is_published) {
         const W rank = hn::Sub(hn::Set(d, 1.0F), place);
         const W one = hn::Set(d, 1.0F);
-        by_tone = hn::IfThenElseZero(hn::And(hn::Ge(rank, tau), hn::Lt(rank, hn::Set(d, j.share))), one);
+        const W share = hn::Mul(hn::Set(d, j.share), density);
+        by_tone = hn::IfThenElseZero(hn::And(hn::Ge(rank, tau), hn::Lt(rank, share)), one);
         by_zoom = hn::IfThenElseZero(hn::Lt(rank, scale), by_tone);
         area = hn::IfThenElseZero(hn::Lt(rank, tau_depth), by_zoom);
     } else {
-        const W shown = shown_for(j, tau, nu);
+        const W shown = hn::Mul(shown_for(j, tau, nu), density);
         by_tone = grown(place, shown, j.fade);
         by_zoom = j.scale < 1.0F ? grown(place, hn::Mul(shown, scale), j.fade) : by_tone;
         area = grown(place, hn::Mul(hn::Mul(shown, scale), tau_depth), j.fade);
@@ -296,7 +297,7 @@ HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M f
 }
 
 void select(const Selection& j, const MarkRange& range, const ProjectedMarks& projected, const float* taus,
-            const float* tau_depths, Selected& selected) {
+            const float* densities, const float* tau_depths, Selected& selected) {
     HRBFNPR_ASSERT(range.count >= 0 && range.count <= ProjectedMarks::most && taus != nullptr);
     const F d;
     const W zero = hn::Zero(d);
@@ -312,6 +313,7 @@ void select(const Selection& j, const MarkRange& range, const ProjectedMarks& pr
         selected.outside += count(hn::AndNot(valid, all));
         const W nu = hn::LoadU(d, projected.nu + at);
         const W place = hn::Sub(one, hn::LoadU(d, m.rank + in_block));
+        const W density = densities == nullptr ? one : hn::LoadU(d, densities + at);
         const W tau_depth = tau_depths == nullptr ? one : hn::LoadU(d, tau_depths + at);
         const M faces = hn::And(valid, hn::Lt(nu, zero));
         const std::int32_t fronts = count(faces);
@@ -319,7 +321,7 @@ void select(const Selection& j, const MarkRange& range, const ProjectedMarks& pr
         selected.backs += count(valid) - fronts;
         // Lanes after the last mark hold arbitrary bits, which must not become an index into a table.
         const W tau = hn::IfThenElseZero(all, hn::LoadU(d, taus + at));
-        const W front = front_of(j, nu, place, tau, tau_depth, faces, selected);
+        const W front = front_of(j, nu, place, tau, density, tau_depth, faces, selected);
         hn::StoreU(front, d, selected.front + at);
         const M drawn = hn::Gt(front, zero);
         std::uint8_t bits[8] = {};

@@ -92,8 +92,8 @@ struct Selection {
     float left, right, top, bottom;
     bool all_inside;
 
-    // By the share rule, a mark is shown where 1 - rank <= min(1, needed(1 - tau) |nu| per_ink) share fade_factor scale
-    // tau_depth. By the published rule, a mark is shown if it passes one test after the other.
+    // By the share rule, a mark is shown where 1 - rank <= min(1, needed(1 - tau) |nu| per_ink) share fade_factor
+    // density scale tau_depth. By the published rule, a mark is shown if it passes one test after the other.
     bool is_published;
     bool coverage;       // false: `needed` and |nu| are left out
     const float* needed; // ink per area needed for each coverage k / needed_steps, k from 0 to needed_steps
@@ -121,9 +121,9 @@ struct ProjectionLoops {
                   float* tau);
     void (*light_rows)(const Lighting& lighting, const MarkRows& marks, const float* nu, const LightShares& shares,
                        float* tau);
-    // tau and tau_depth hold a number for each mark; tau_depth may be NULL, which means 1 for all.
+    // tau, density and tau_depth hold a number for each mark. density and tau_depth may be NULL, which means 1 for all.
     void (*select)(const Selection& selection, const MarkRange& marks, const ProjectedMarks& projected,
-                   const float* tau, const float* tau_depth, Selected& selected);
+                   const float* tau, const float* density, const float* tau_depth, Selected& selected);
 };
 
 [[nodiscard]] ProjectionLoops projection_loops(base::InstructionSet set) noexcept;

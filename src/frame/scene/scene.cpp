@@ -219,7 +219,8 @@ Run run_of(const Item& item, const marks::Layer& layer, bool splats, bool any_su
     return run;
 }
 
-void add_layer(const Run& run, MarkClass mark_class, const float* ink, drawing::Drawing& drawing) {
+void add_layer(const Run& run, MarkClass mark_class, const float* ink, std::int32_t ink_number,
+               drawing::Drawing& drawing) {
     drawing::Layer layer;
     layer.item = run.source;
     layer.layer = run.layer;
@@ -227,7 +228,24 @@ void add_layer(const Run& run, MarkClass mark_class, const float* ink, drawing::
     layer.as_strokes = run.shape != Shape::dots && mark_class == MarkClass::front;
     layer.as_hatch = run.shape == Shape::hatch && mark_class == MarkClass::front;
     layer.ink = {ink[0], ink[1], ink[2], ink[3]};
+    layer.ink_number = ink_number;
     drawing.layers.push_back(layer);
+}
+
+// Finds the fields of a run, and adds the drawing's layers of ink for its front marks.
+void add_front_layers(Scene& scene, const Item& item, Run& run, drawing::Drawing& drawing) {
+    run.first_layer = static_cast<std::uint32_t>(drawing.layers.size());
+    add_layer(run, MarkClass::front, run.style->ink, -1, drawing);
+    if (item.style.visibility == Visibility::published || !run.draws_front) return;
+    run.fields = fields_of(*item.set, run.layer, *run.style, run.source);
+    const marks::MarkField* const colors =
+        find_field(*item.set, run.layer, run.style->ink_field, "ink_field", marks::FieldKind::colour, run.source);
+    if (colors == nullptr) return;
+    run.inks = static_cast<std::int32_t>(scene.inks.size());
+    scene.inks.add(*run.marks, *colors, item.style.palette, run.style->palette_rule);
+    std::int32_t number = 0;
+    for (const glm::vec4& ink : item.style.palette) add_layer(run, MarkClass::front, &ink.x, number++, drawing);
+    run.layers = static_cast<std::uint32_t>(1 + number);
 }
 
 // Adds the runs of the scene's last item, which has the index `number` in the drawing. The runs of the other side of a
@@ -249,10 +267,10 @@ void add_runs(Scene& scene, const Item& item, std::int32_t number, std::int64_t 
         run.layer = static_cast<std::int32_t>(i);
         run.first_id = drawing.runs[first_of_drawing + i].first_id;
         run.first = scene.mark_count();
+        add_front_layers(scene, item, run, drawing);
         scene.runs.push_back(run);
-        add_layer(run, MarkClass::front, run.style->ink, drawing);
         if (item.style.visibility == Visibility::published)
-            add_layer(run, MarkClass::silhouette, &item.style.silhouette_ink.x, drawing);
+            add_layer(run, MarkClass::silhouette, &item.style.silhouette_ink.x, -1, drawing);
     }
 }
 
@@ -357,6 +375,7 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& given, draw
     scene.camera = camera;
     scene.items.clear();
     scene.runs.clear();
+    scene.inks.clear();
     drawing.clear();
     drawing.window = {given.viewport, given.depth};
     drawing.from_window = glm::inverse(make_optics(camera).window * camera.view);

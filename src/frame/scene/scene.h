@@ -12,6 +12,8 @@
 #include "drawing/drawing.h"
 #include "features/line_set.h"
 #include "frame/scene/camera.h"
+#include "frame/scene/fields.h"
+#include "frame/scene/inks.h"
 #include "frame/scene/light.h"
 #include "frame/scene/lighting.h"
 #include "frame/scene/projection_loops.h"
@@ -148,6 +150,11 @@ struct Run {
     std::int64_t count = 0;     // the number of marks in the run
     // The index of the run's first place among the places of all runs. A place is an element of a cluster's block.
     std::int64_t first_place = 0;
+    // The drawing's layers of the run: one for its own ink, and one for each ink of the palette if the run has inks.
+    std::uint32_t first_layer = 0;
+    std::uint32_t layers = 1;
+    std::int32_t inks = -1; // index into the scene's choices of inks; -1: all marks have the layer's own ink
+    RunFields fields;       // A published drawing has none.
     std::uint32_t directions = 3; // the directions whose strokes are front ink; bit 0 is the first, bit 1 the second
     Shape shape = Shape::dots;    // How front ink is drawn. Marks without strokes are always dots.
     bool draws_front = false;
@@ -203,23 +210,39 @@ struct LineStrokes {
 
     base::Array<drawing::Stroke> strokes; // in any order
     base::Array<drawing::StrokePoint> points;
+
+    // Appends the points of a stroke. Their lengths become those from the first of them. The stroke itself is appended
+    // by the caller, who may change the points before.
+    void add_points(drawing::Stroke& stroke, std::span<const drawing::StrokePoint> from) {
+        stroke.first = points.size();
+        stroke.count = static_cast<std::int32_t>(from.size());
+        for (const drawing::StrokePoint& point : from) {
+            points.push_back(point);
+            points.back().length = point.length - from.front().length;
+        }
+    }
 };
 
 // ---- The scene
 
 struct Scene {
     explicit Scene(base::Memory& memory) noexcept
-        : items(memory), runs(memory), posed(memory), turned(memory), turned_normal(memory) {}
+        : items(memory), runs(memory), inks(memory), posed(memory), turned(memory), turned_normal(memory) {}
 
     Lens lens;
     Camera camera;               // The camera. The unit of its eye space is that of the frame.
     base::Array<ItemView> items; // The items. Those for the other sides come last.
     base::Array<Run> runs;
+    base::List<InkChoice> inks;  // of the runs that have inks
     base::List<marks::MarkClusters> posed;  // the clusters of layers with moved marks
     base::List<marks::MarkClusters> turned; // the clusters of the runs of the other sides
     base::Array<float> turned_normal;       // the normals for the runs of the other sides, run after run
 
     [[nodiscard]] const ItemView& item_of(const Run& run) const noexcept { return items[run.item]; }
+    // Returns how marks of a run choose their inks, or NULL.
+    [[nodiscard]] const InkChoice* inks_of(const Run& run) const noexcept {
+        return run.inks < 0 ? nullptr : &inks[run.inks];
+    }
     [[nodiscard]] std::int64_t mark_count() const noexcept {
         return runs.empty() ? 0 : runs.span().back().first + runs.span().back().count;
     }

@@ -69,6 +69,7 @@ base::Array<double> still_key(base::Memory& memory, const Still& still) {
         add(layer.radius);
         add(layer.radius_zoom);
         add(layer.hatch_tone_begin);
+        add(layer.tone_field != nullptr);
         for (const char letter : std::string_view(layer.name != nullptr ? layer.name : "")) add(letter);
         add(layer.name != nullptr); // Ends the name.
     }
@@ -149,8 +150,9 @@ float StillNeed::share_of_ink(const marks::Extent& extent, const ClusterView& at
     const bool shows_back = view_.item.both_sides && may_face(at, true);
     // Occlusion and shadows are not known before there are marks.
     constexpr SeenShares nothing{0.0F, {}};
-    const float darkness =
-        1.0F - (style.tone == Tone::light && !shows_back ? least_tau(extent, view_.sight, nothing) : 0.0F);
+    // Neither are the values of a field.
+    const bool is_bounded = style.tone == Tone::light && !shows_back && layer_.style->tone_field == nullptr;
+    const float darkness = 1.0F - (is_bounded ? least_tau(extent, view_.sight, nothing) : 0.0F);
     if (layer_.kind != marks::Kind::stipples)
         return layer_.style->shape == Shape::hatch && darkness < layer_.style->hatch_tone_begin ? 0.0F : 1.0F;
     float shown = darkness;

@@ -57,6 +57,13 @@ struct SceneTuning {
     // averaged. Larger: more marks are placed.
     float still_surplus = 1.1F;
 
+    // A part of a stroke in one ink is at least this many times as long as it is wide. Shorter parts take the ink of a
+    // neighbour. Larger: fewer and longer parts, and colours with borders that are less exact.
+    float shortest_in_ink = 2.0F;
+    // What the variance of the colours of a mixture of inks costs, where the square of the distance of its mean from the
+    // wanted colour costs 1. Larger: less grain and less exact colours.
+    float grain_cost = 1e-4F;
+
     // The least |n . v| that is used where a disc of paper is pushed back. Larger: the paper of a layer hides ink of
     // the same layer near its contour.
     float smallest_cosine = 0.05F;

@@ -13,6 +13,7 @@
 #include "base/list.h"
 #include "base/runtime.h"
 #include "base/view.h"
+#include "drawing/color.h"
 #include "drawing/drawing.h"
 #include "geometry/vec.h"
 #include "output/raster/strokes.h"
@@ -98,13 +99,8 @@ struct Rect {
     return {glm::vec3(straight) * straight.w, straight.w};
 }
 
-// Converts between encoded sRGB values and linear light, for colours in [0, 1]. [IEC 61966-2-1]
-[[nodiscard]] inline float to_linear(float encoded) noexcept {
-    return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
-}
-[[nodiscard]] inline float from_linear(float light) noexcept {
-    return light <= 0.0031308F ? light * 12.92F : 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F;
-}
+using drawing::from_linear;
+using drawing::to_linear;
 // Converts a premultiplied colour from sRGB to linear light. Alpha does not change.
 [[nodiscard]] inline glm::vec4 to_linear(const glm::vec4& c) noexcept {
     if (!(c.w > 0.0F)) return glm::vec4(0.0F);

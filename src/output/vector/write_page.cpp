@@ -110,13 +110,20 @@ struct Cells {
     }
 };
 
+// Returns whether it does not matter which of two layers is painted first: both have one colour, or they are inks of one
+// layer of marks.
+[[nodiscard]] bool have_one_order(const drawing::Layer& a, const drawing::Layer& b) noexcept {
+    if (glm::vec3(a.ink) == glm::vec3(b.ink)) return true;
+    return a.layer >= 0 && a.item == b.item && a.layer == b.layer && a.mark_class == b.mark_class;
+}
+
 Cells blank_cells(base::Memory& memory, const Drawing& drawing) {
     const glm::dvec4& viewport = drawing.window.viewport;
     Cells cells{
         viewport.x, viewport.y, 1.0, 1, 1, 0, base::Array<std::int32_t>(memory), base::Array<std::int32_t>(memory)};
     for (std::int64_t i = 0; i < drawing.layers.size(); ++i) {
         std::int64_t like = 0;
-        while (glm::vec3(drawing.layers[like].ink) != glm::vec3(drawing.layers[i].ink) && like < i) ++like;
+        while (like < i && !have_one_order(drawing.layers[like], drawing.layers[i])) ++like;
         cells.color.push_back(like < i ? cells.color[like] : cells.colors++);
     }
     cells.side = std::max(lay_out_tuning.least_cell,
@@ -212,6 +219,11 @@ constexpr std::array<const char*, 12> line_names{"lines",   "contour",        "s
                                                  "section", "border",         "own",        "crease"};
 constexpr std::size_t own_lines = 10;
 
+void append(char (&name)[PageGroup::most], const char* what, int number) noexcept {
+    const std::size_t used = std::string_view(name).size();
+    std::snprintf(name + used, sizeof name - used, "%s %d", what, number);
+}
+
 void name_layer(const Drawing& drawing, std::int64_t number, char (&name)[PageGroup::most]) {
     const drawing::Layer& layer = drawing.layers[number];
     if (layer.layer < 0) {
@@ -223,11 +235,7 @@ void name_layer(const Drawing& drawing, std::int64_t number, char (&name)[PageGr
     const marks::Layer& source = drawing.items[layer.item].set->layers[layer.layer];
     const bool contour = layer.mark_class == drawing::MarkClass::silhouette;
     std::snprintf(name, sizeof name, "%.63s%s", source.name.data(), contour ? " contour" : "");
-}
-
-void append(char (&name)[PageGroup::most], const char* what, int number) noexcept {
-    const std::size_t used = std::string_view(name).size();
-    std::snprintf(name + used, sizeof name - used, "%s %d", what, number);
+    if (layer.ink_number >= 0) append(name, " ink", layer.ink_number + 1);
 }
 
 // The placement's viewport on the page.
@@ -235,6 +243,12 @@ Frame frame_of(const Placement& placement) noexcept {
     const glm::dvec4& viewport = placement.drawing->window.viewport;
     return {placement.x, placement.y, placement.x + placement.scale * viewport.z,
             placement.y + placement.scale * viewport.w};
+}
+
+// Returns the number of a group's pen if pens for several groups begin at `first`. Groups without a number of an ink
+// share the first pen, and each ink of a palette has one of the next pens.
+[[nodiscard]] std::uint32_t pen_of(std::uint32_t first, std::int32_t ink_number) noexcept {
+    return first + static_cast<std::uint32_t>(1 + ink_number);
 }
 
 // Returns the group with the last pen whose pattern matches the group's name.
@@ -247,7 +261,8 @@ PageGroup with_pen(PageGroup group, std::span<const Pen> pens) noexcept {
         if (!pen.groups.empty() && (is_beginning ? !name.starts_with(groups) : name != groups)) continue;
         group.pen_width = pen.width;
         if (pen.ink.w > 0.0F) group.ink = pen.ink;
-        group.pen = pen.number;
+        const bool is_for_one = !is_beginning && !pen.groups.empty();
+        group.pen = is_for_one ? pen.number : pen_of(pen.number, group.ink_number);
         if (pen.line_type != LineType::as_drawn) group.line_type = pen.line_type;
         break;
     }
@@ -270,6 +285,8 @@ PageGroup group_of(const Drawing& drawing, const Runs& runs, std::span<const Pen
     if (namesakes > 0) append(group.name, "", namesakes + 1);
     if (hidden > 0) append(group.name, " hidden", hidden);
     group.ink = drawing.layers[layer].ink;
+    group.ink_number = drawing.layers[layer].ink_number;
+    group.pen = pen_of(1, group.ink_number);
     group = with_pen(group, pens);
     if (run > 0) append(group.name, ", run", run + 1);
     return group;

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "frame/scene/inks.h"
+
+#include "drawing/color.h"
+#include "frame/scene/tuning.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hrbfnpr::frame {
+namespace {
+
+[[nodiscard]] glm::vec3 linear_of(const glm::vec3& encoded) noexcept {
+    const glm::vec3 c = glm::clamp(encoded, 0.0F, 1.0F);
+    return {drawing::to_linear(c.x), drawing::to_linear(c.y), drawing::to_linear(c.z)};
+}
+
+// Converts linear light to Oklab. [Ottosson 2020, "A perceptual color space for image processing"]
+[[nodiscard]] glm::vec3 oklab_of(const glm::vec3& c) noexcept {
+    const float l = std::cbrt(0.4122214708F * c.x + 0.5363325363F * c.y + 0.0514459929F * c.z);
+    const float m = std::cbrt(0.2119034982F * c.x + 0.6806995451F * c.y + 0.1073969566F * c.z);
+    const float s = std::cbrt(0.0883024619F * c.x + 0.2817188376F * c.y + 0.6299787005F * c.z);
+    return {0.2104542553F * l + 0.7936177850F * m - 0.0040720468F * s,
+            1.9779984951F * l - 2.4285922050F * m + 0.4505937099F * s,
+            0.0259040371F * l + 0.7827717662F * m - 0.8086757660F * s};
+}
+
+[[nodiscard]] float squared(const glm::vec3& v) noexcept { return glm::dot(v, v); }
+
+// Returns a number from 0 to 1. Those of consecutive indices are spread evenly, however many there are.
+// [the golden ratio: Knuth, "The Art of Computer Programming" 3, section 6.4]
+[[nodiscard]] float evenly_spread(std::int64_t index) noexcept {
+    const std::uint32_t bits = static_cast<std::uint32_t>(index) * 2654435769U;
+    return static_cast<float>(bits >> 8U) * 0x1p-24F;
+}
+
+} // namespace
+
+InkChoice::InkChoice(const marks::Layer& layer, const marks::MarkField& colors, std::span<const glm::vec4> palette,
+                     PaletteRule rule) noexcept
+    : layer_(&layer), colors_(&colors), rule_(rule), count_(static_cast<std::int32_t>(palette.size())) {
+    HRBFNPR_ASSERT(!palette.empty() && palette.size() <= most_inks && colors.kind == marks::FieldKind::colour);
+    for (std::size_t i = 0; i < palette.size(); ++i) {
+        linear_[i] = linear_of(glm::vec3(palette[i]));
+        lab_[i] = oklab_of(linear_[i]);
+    }
+    if (rule == PaletteRule::mixed) add_mixtures();
+}
+
+void InkChoice::add_mixtures() noexcept {
+    const auto add = [&](const Mixture& mixture) { mixture_[static_cast<std::size_t>(mixtures_++)] = mixture; };
+    const auto number = [](std::int32_t ink) { return static_cast<std::uint8_t>(ink); };
+    const auto at = [&](std::int32_t ink) { return linear_[static_cast<std::size_t>(ink)]; };
+    for (std::int32_t a = 0; a < count_; ++a) {
+        add({{number(a), 0, 0}, 1, glm::vec3(0.0F), glm::vec3(0.0F)});
+        for (std::int32_t b = a + 1; b < count_; ++b) {
+            const glm::vec3 side = at(b) - at(a);
+            const float square = squared(side);
+            if (!(square > 0.0F)) continue;
+            add({{number(a), number(b), 0}, 2, side / square, glm::vec3(0.0F)});
+            for (std::int32_t c = b + 1; c < count_; ++c) {
+                const glm::vec3 other = at(c) - at(a);
+                const float both = glm::dot(side, other);
+                const float area = square * squared(other) - both * both;
+                if (!(area > 1e-9F)) continue; // The three colours are in a line.
+                add({{number(a), number(b), number(c)},
+                     3,
+                     (squared(other) * side - both * other) / area,
+                     (square * other - both * side) / area});
+            }
+        }
+    }
+}
+
+std::uint8_t InkChoice::nearest(const glm::vec3& color) const noexcept {
+    const glm::vec3 lab = oklab_of(linear_of(color));
+    std::int32_t best = 0;
+    float least = std::numeric_limits<float>::infinity();
+    for (std::int32_t i = 0; i < count_; ++i) {
+        const float distance = squared(lab_[static_cast<std::size_t>(i)] - lab);
+        if (!(distance < least)) continue;
+        least = distance;
+        best = i;
+    }
+    return static_cast<std::uint8_t>(1 + best);
+}
+
+std::uint8_t InkChoice::mixed(const glm::vec3& color, float threshold) const noexcept {
+    HRBFNPR_ASSERT(mixtures_ > 0 && threshold >= 0.0F && threshold < 1.0F);
+    const glm::vec3 wanted = linear_of(color);
+    const Mixture* best = nullptr;
+    float least = std::numeric_limits<float>::infinity();
+    float of_second = 0.0F, of_third = 0.0F;
+    for (std::int32_t k = 0; k < mixtures_; ++k) {
+        const Mixture& mixture = mixture_[static_cast<std::size_t>(k)];
+        const glm::vec3& a = linear_[mixture.ink[0]];
+        const glm::vec3& b = linear_[mixture.ink[1]];
+        const glm::vec3& c = linear_[mixture.ink[2]];
+        const float second = glm::dot(mixture.first, wanted - a);
+        const float third = glm::dot(mixture.second, wanted - a);
+        if (!(second >= 0.0F && third >= 0.0F && second + third <= 1.0F)) continue;
+        const float first = 1.0F - second - third;
+        const glm::vec3 mean = first * a + second * b + third * c;
+        // Of mixtures with nearly the same mean, the one of similar inks has the least grain.
+        const float grain = first * squared(a - mean) + second * squared(b - mean) + third * squared(c - mean);
+        const float cost = squared(mean - wanted) + scene_tuning.grain_cost * grain;
+        if (!(cost < least)) continue;
+        least = cost;
+        best = &mixture;
+        of_second = second;
+        of_third = third;
+    }
+    HRBFNPR_ASSERT(best != nullptr);
+    const std::size_t which = threshold < of_third ? 2U : threshold < of_third + of_second ? 1U : 0U;
+    return static_cast<std::uint8_t>(1 + best->ink[which]);
+}
+
+std::uint8_t InkChoice::of_mark(std::int64_t mark, std::int64_t place) const noexcept {
+    if (!colors_->weight.empty() && colors_->weight[mark] < 0.5F) return 0;
+    const glm::vec3 color = marks::vector_at(colors_->value, mark);
+    if (rule_ == PaletteRule::nearest) return nearest(color);
+    const bool has_strokes = layer_->has_strokes();
+    return mixed(color, evenly_spread(has_strokes ? std::int64_t{layer_->stroke[2 * mark] >> 1U} : place));
+}
+
+void settle_inks(std::span<const drawing::StrokePoint> points, std::span<std::uint8_t> inks) noexcept {
+    HRBFNPR_ASSERT(points.size() == inks.size());
+    const std::size_t count = points.size();
+    for (std::size_t begin = 0; begin < count;) {
+        std::size_t end = begin + 1;
+        while (end < count && inks[end] == inks[begin]) ++end;
+        float widest = 0.0F;
+        for (std::size_t i = begin; i < end; ++i) widest = std::max(widest, 2.0F * points[i].radius);
+        const float length = points[std::min(end, count - 1)].length - points[begin].length;
+        const bool is_whole = begin == 0 && end == count;
+        if (!is_whole && (begin + 1 == count || length < scene_tuning.shortest_in_ink * widest)) {
+            std::fill(inks.begin() + static_cast<std::ptrdiff_t>(begin), inks.begin() + static_cast<std::ptrdiff_t>(end),
+                      begin > 0 ? inks[begin - 1] : inks[end]);
+            if (begin == 0) continue; // The part has grown, and may still be too short.
+        }
+        begin = end;
+    }
+}
+
+} // namespace hrbfnpr::frame
