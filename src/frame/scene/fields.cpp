@@ -25,14 +25,14 @@ const marks::MarkField* find_field(const marks::PointSet& set, std::int64_t laye
                           });
     if (!is_known)
         fail(Status::invalid_argument,
-             "the style of items[%lld] names the %s \"%.63s\" for the layer \"%.63s\", but items[%lld].point_set has "
-             "no field of this name; add it by hrbfnpr_point_set_with_fields",
-             ll{item}, member, name, set.layers[layer].name.data(), ll{item});
+             "items[%lld].style: %s of the layer \"%.63s\" is \"%.63s\", which is no field of items[%lld].point_set; add "
+             "it by hrbfnpr_point_set_with_fields",
+             ll{item}, member, set.layers[layer].name.data(), name, ll{item});
     if (own != nullptr && own->kind != kind)
         fail(Status::invalid_argument,
-             "the style of items[%lld] names the %s \"%.63s\" for the layer \"%.63s\"; it is a field of kind %s, but "
-             "must be %s",
-             ll{item}, member, name, set.layers[layer].name.data(), kind_names[static_cast<std::size_t>(own->kind)],
+             "items[%lld].style: %s of the layer \"%.63s\" is \"%.63s\", a field of kind %s; it must be a field of kind "
+             "%s",
+             ll{item}, member, set.layers[layer].name.data(), name, kind_names[static_cast<std::size_t>(own->kind)],
              kind_names[static_cast<std::size_t>(kind)]);
     return own;
 }
