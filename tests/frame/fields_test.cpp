@@ -286,7 +286,8 @@ TEST_F(FieldsOfHatch, ReplacedTonesEqualThoseOfACallback) {
     cluster_with("tone", waves);
     style.tone_function = FieldTone::give;
     const std::vector<StrokePoint> expected = copy_of(draw(front_camera(size, size)).points);
-    style.tone = frame::Tone::light;
+    style.tone = frame::Tone::light; // Without the field, the plane would be white.
+    style.light = {0.0, 0.0, 1.0};
     layer.tone_field = "tone";
     EXPECT_TRUE(same_points(copy_of(draw(front_camera(size, size)).points), expected));
     EXPECT_GT(expected.size(), 1000U);
