@@ -263,7 +263,7 @@ SAID = {
         "note: N points far from all others left out (--outliers keep keeps them)",
     "points along curves, such as wires, cross sections or a tracked pen":
         "note: the points lie along curves: the surface between the curves is drawn too",
-    "points with colours, without normals": "note: columns 4 to 6 are colours: they are not used",
+    "points with colours, without normals": "note: columns 4 to 6 are colours: they are not used as normals",
     "points, some without a usable position or normal": "note: N points left out: without a usable position or normal",
     "points with normals, a few far away": "note: N points far from all others left out",
     "several points at one place": "note: N samples merged with another at the same place",

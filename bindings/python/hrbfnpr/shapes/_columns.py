@@ -116,7 +116,8 @@ def by_content(table: Floats, normals_expected: bool = False, before: int = 0) -
     if width >= 6 and not place:
         what = "colours" if any("red" in three for three in found.values()) else "no normals"
         which = next((start for start, three in found.items() if "red" in three), 3)
-        notes.append(f"columns {which + 1 + before} to {which + 3 + before} are {what}: they are not used")
+        unused = "they are not used as normals" if what == "colours" else "they are not used"
+        notes.append(f"columns {which + 1 + before} to {which + 3 + before} are {what}: {unused}")
     return Columns(tuple(names), tuple(notes))
 
 

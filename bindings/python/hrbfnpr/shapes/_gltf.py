@@ -12,6 +12,7 @@ from urllib.parse import unquote
 import numpy as np
 
 from . import _draco, _meshopt
+from ._attributes import COLOUR, PointValues, joined
 from ._shape import Floats, Integers, Shape, ShapeError, Vector
 from ._sharp_edges import of_vertices
 
@@ -86,6 +87,7 @@ class _Reader:
         self._views: Dict[int, bytes] = {}  # the unpacked views
         self._points: List[Floats] = []
         self._normals: List[Optional[Floats]] = []
+        self._colours: List[Tuple[int, Optional[PointValues]]] = []  # of each part: a count, and colours
         self._triangles: List[Integers] = []
         self._count = 0
         self._world: Dict[int, Floats] = {}
@@ -108,7 +110,9 @@ class _Reader:
         columns = ("x", "y", "z") if normals is None else ("x", "y", "z", "nx", "ny", "nz")
         points = np.concatenate(self._points)
         sharp = None if triangles is None else self._sharp_edges(points, triangles)
-        return Shape(points, normals, triangles, self._form, columns, UP, sharp_edges=sharp)
+        colour = joined(self._colours)
+        fields = {} if colour is None else {COLOUR: colour}
+        return Shape(points, normals, triangles, self._form, columns, UP, sharp_edges=sharp, fields=fields)
 
     def _sharp_edges(self, points: Floats, triangles: Integers) -> Optional[Integers]:
         """The sharp edges of the parts that have normals."""
@@ -171,6 +175,7 @@ class _Reader:
                 self._triangles.append(triangles + self._count)
             self._points.append(points)
             self._normals.append(normals)
+            self._colours.append((len(points), self._colours_of(part, draco, len(points))))
             self._count += len(points)
 
     def _normals_of(self, part: Dict[str, Any], linear: Floats, mode: int) -> Optional[Floats]:
@@ -183,6 +188,21 @@ class _Reader:
             return self._accessor(number)
         except (LookupError, TypeError, ValueError):
             return None
+
+    def _colours_of(self, part: Dict[str, Any], draco: Optional[Shape], count: int) -> Optional[PointValues]:
+        """The colours of the vertices times that of the material, as sRGB; None if the part has neither."""
+        materials = self._document.get("materials", [])
+        material = materials[part["material"]] if "material" in part else {}
+        factor = material.get("pbrMetallicRoughness", {}).get("baseColorFactor")
+        number = part["attributes"].get("COLOR_0") if draco is None else None
+        if number is None and factor is None:
+            return None
+        linear = np.ones((count, 3)) if number is None else self._accessor(number)[:, :3]
+        if len(linear) != count or linear.shape[1] != 3:
+            return None
+        linear = np.clip(linear * np.array([1.0, 1.0, 1.0] if factor is None else factor[:3], dtype=np.float64), 0.0, 1.0)
+        coded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+        return PointValues("colour", coded.astype(np.float32))
 
     def _triangles_of(self, part: Dict[str, Any], mode: int, count: int) -> Integers:
         indices = self._accessor(part["indices"])[:, 0].astype(np.int64) if "indices" in part else np.arange(count)

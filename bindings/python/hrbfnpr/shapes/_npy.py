@@ -9,14 +9,17 @@ from typing import Any, Dict, Optional, Tuple
 
 import numpy as np
 
+from ._attributes import COLOUR, PointValues, attributes, colours, scalars
 from ._columns import Columns, by_content, by_heading
 from ._shape import Floats, Shape, ShapeError
+from ._xyz import fields_of
 
 _HINT = "give points as an array of n x 3 numbers; an .npz file may also hold arrays normals and triangles"
 _POINTS = ("points", "point", "vertices", "verts", "vertex", "positions", "position", "pos", "xyz", "coords", "v", "arr_0")
 _NORMALS = ("normals", "normal", "vertex_normals", "n", "vn")
 _MOST_COLUMNS = 32  # largest number of columns of a point
 _FACES = ("triangles", "faces", "face", "tri", "cells", "f")
+_COLOURS = ("rgb", "colors", "colours", "color", "colour", "vertex_colors")
 
 
 def read_npy(data: bytes) -> Shape:
@@ -39,7 +42,24 @@ def read_npz(data: bytes) -> Shape:
     if normals is not None and normals.shape != shape.points.shape:
         raise ShapeError(f"{normal} is {_shape(normals)}, but {place} is {_shape(shape.points)}")
     triangles = _triangles(arrays[face], face) if face is not None else None
-    return Shape(shape.points, normals, triangles, "NPZ", shape.columns, notes=shape.notes)
+    used = {place, normal, face}
+    fields = {**shape.fields, **_fields({name: array for name, array in arrays.items() if name not in used}, len(shape.points))}
+    return Shape(shape.points, normals, triangles, "NPZ", shape.columns, notes=shape.notes, fields=fields)
+
+
+def _fields(arrays: Dict[str, Any], count: int) -> Dict[str, PointValues]:
+    """The arrays with one number, or three, for each point: numbers, colours by their name, else directions."""
+    fields: Dict[str, PointValues] = {}
+    for name, array in arrays.items():
+        if array.dtype.kind not in "fiub" or array.ndim == 0 or array.shape[0] != count:
+            continue
+        if array.ndim == 1 or array.shape[1:] == (1,):
+            fields[name] = scalars(array)
+        elif array.ndim == 2 and name in _COLOURS and array.shape[1] in (3, 4):
+            fields[COLOUR] = colours(array)
+        elif array.ndim == 2 and array.shape[1] == 3:
+            fields[name] = PointValues("direction", array.astype(np.float32))
+    return fields
 
 
 def _loaded(data: bytes) -> Any:
@@ -76,8 +96,9 @@ def _points(array: Any, form: str) -> Shape:
     assert at is not None
     notes = (*notes, *columns.notes)
     return Shape(
-        table[:, at], None if normals is None else table[:, normals], format=form, columns=columns.names, notes=notes
-    )
+        table[:, at], None if normals is None else table[:, normals], format=form, columns=columns.names, notes=notes,
+        fields=fields_of(table, columns.names),
+    )  # fmt: skip
 
 
 def _named(array: Any, form: str) -> Shape:
@@ -96,7 +117,9 @@ def _named(array: Any, form: str) -> Shape:
 
     points = triple("xyz")
     assert points is not None
-    return Shape(points, triple(("nx", "ny", "nz")), format=form, columns=columns.names)
+    named = {name: record[own] for name, own in zip(columns.names, array.dtype.names)}
+    fields = attributes({name: column for name, column in named.items() if column.dtype.kind in "fiub" and column.ndim == 1})
+    return Shape(points, triple(("nx", "ny", "nz")), format=form, columns=columns.names, fields=fields)
 
 
 def _numbers(array: Any, name: str) -> Floats:

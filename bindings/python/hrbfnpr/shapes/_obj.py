@@ -8,6 +8,7 @@ from typing import Dict, List, Optional, Tuple
 import numpy as np
 
 from . import _off_binary
+from ._attributes import COLOUR, PointValues, colours
 from ._shape import Floats, Integers, Shape, ShapeError
 from ._sharp_edges import MOST_FACES, sharp_edges
 from ._table import (
@@ -46,9 +47,10 @@ def read_obj(data: bytes) -> Shape:
             where.append(number)
     vertices, wide = _vectors(*found[b"v"], "a vertex")
     columns = ("x", "y", "z", "red", "green", "blue") if wide >= 6 else ("x", "y", "z")
+    fields = _colours_of(found[b"v"][0]) if wide >= 6 else {}
     if found[b"f"][0]:
         triangles, sharp = _faces(*found[b"f"], np.array(found[b"v"][1]), vertices, *found[b"vn"])
-        return Shape(vertices, None, triangles, "OBJ", columns, sharp_edges=sharp)
+        return Shape(vertices, None, triangles, "OBJ", columns, sharp_edges=sharp, fields=fields)
     normals, _ = _vectors(*found[b"vn"], "a normal")
     if len(vertices) == 0:
         raise ShapeError("there are no points: no line begins with v")
@@ -62,7 +64,7 @@ def read_obj(data: bytes) -> Shape:
         columns = (*columns, "nx", "ny", "nz")
     count = len(found[b"l"][0])
     notes = (f"{count} line{'s' if count > 1 else ''} left out: the file is drawn as points",) if count else ()
-    return Shape(vertices, normals if matched else None, None, "OBJ", columns, notes=notes)
+    return Shape(vertices, normals if matched else None, None, "OBJ", columns, notes=notes, fields=fields)
 
 
 def _joined(found: "re.Match[bytes]") -> bytes:
@@ -89,6 +91,14 @@ def _vectors(lines: List[bytes], where: List[int], what: str) -> Tuple[Floats, i
         empty = next(i for i, line in enumerate(lines) if not line.strip())
         raise at(where[empty], 0, f"{what} needs 3 numbers, and there are 0")
     return rows.table(3, what).reshape(-1, 3), int(rows.counts[0]) if len(lines) else 0
+
+
+def _colours_of(lines: List[bytes]) -> Dict[str, PointValues]:
+    """The colours after the places of vertices, if all have them."""
+    rows = numbers(b"\n".join(lines))
+    if not (rows.counts >= 6).all():
+        return {}
+    return {COLOUR: colours(rows.table(6, "a vertex")[:, 3:])}
 
 
 def _faces(
@@ -190,7 +200,15 @@ def read_off(data: bytes) -> Shape:
     table = _part(rows, 0, cut[0]).table(width, "a vertex").reshape(-1, width)
     triangles = _off_faces(_part(rows, *cut), table[:, :3]) if counts[1] else None
     columns = ("x", "y", "z", "nx", "ny", "nz")[:width]
-    return Shape(table[:, :3], table[:, 3:] if width == 6 else None, triangles, "OFF", columns)
+    fields = _off_colours(_part(rows, 0, cut[0]), width) if "C" in kind and counts[0] else {}
+    return Shape(table[:, :3], table[:, 3:] if width == 6 else None, triangles, "OFF", columns, fields=fields)
+
+
+def _off_colours(rows: Rows, width: int) -> Dict[str, PointValues]:
+    """The colours after `width` numbers of each vertex, if all vertices have them: from 0 to 1, or to 255."""
+    if not (rows.counts >= width + 3).all():
+        return {}
+    return {COLOUR: colours(rows.table(width + 3, "a vertex")[:, width:])}
 
 
 def _counts(text: bytes, start: int, first_line: int) -> Tuple[List[int], int]:

@@ -8,6 +8,7 @@ from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
+from ._attributes import COLOUR, PointValues, attributes, colours
 from ._shape import Floats, Shape, ShapeError, Vector
 from ._table import at, numbers
 
@@ -89,7 +90,18 @@ def _shape(columns: Dict[str, Any], names: Tuple[str, ...], form: str) -> Shape:
     for three in (("normal_x", "normal_y", "normal_z"), ("nx", "ny", "nz")):
         if all(name in columns for name in three):
             normals = np.column_stack([columns[name] for name in three]).astype(np.float64)
-    return Shape(points, normals, None, f"PCD, {form}", names)
+    return Shape(points, normals, None, f"PCD, {form}", names, fields=_fields(columns))
+
+
+def _fields(columns: Dict[str, Any]) -> Dict[str, PointValues]:
+    """The values of the points.  PCL packs a colour into the bytes of one number: blue, green, red."""
+    packed = next((columns[name] for name in ("rgb", "rgba") if name in columns), None)
+    fields = attributes({name: column for name, column in columns.items() if name not in ("rgb", "rgba")})
+    if packed is not None and COLOUR not in fields:
+        bits = np.ascontiguousarray(packed, np.float32).view(np.uint32) if packed.dtype.kind == "f" else packed
+        bits = bits.astype(np.uint32)
+        fields[COLOUR] = colours(np.column_stack([bits >> 16 & 255, bits >> 8 & 255, bits & 255]).astype(np.uint8))
+    return fields
 
 
 def _header(data: bytes) -> Tuple[Dict[str, List[str]], int, int]:

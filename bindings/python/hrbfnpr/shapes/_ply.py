@@ -9,6 +9,7 @@ from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
 
 import numpy as np
 
+from ._attributes import PointValues, attributes
 from ._polygons import fans, fans_of_block
 from ._shape import Floats, Integers, Shape, ShapeError, Vector, strips
 from ._sharp_edges import of_vertices
@@ -81,7 +82,13 @@ def read_ply(data: bytes) -> Shape:
     seen_from = _scanner(points) if "range_grid" in columns else None
     triangles = _triangles(columns, points)
     sharp = None if triangles is None or normals is None else of_vertices(points, triangles, normals)
-    return Shape(points, normals, triangles, f"PLY, {form}", names, viewpoint=seen_from, sharp_edges=sharp)
+    return Shape(points, normals, triangles, f"PLY, {form}", names, viewpoint=seen_from, sharp_edges=sharp,
+                 fields=_values_of(vertex, len(points)))  # fmt: skip
+
+
+def _values_of(vertex: Dict[str, Any], count: int) -> Dict[str, PointValues]:
+    """The single numbers of the vertices, which are all properties but lists."""
+    return attributes({name: column for name, column in vertex.items() if np.shape(column) == (count,)})
 
 
 def _scanner(points: Floats) -> Optional[Vector]:

@@ -2,10 +2,11 @@
 """Reads scans in Leica's PTX: for each scanner position a header, then a grid of points in the scanner's frame."""
 from __future__ import annotations
 
-from typing import List, Tuple
+from typing import Dict, List, Optional, Tuple
 
 import numpy as np
 
+from ._attributes import COLOUR, PointValues, colours, joined, scalars
 from ._scans import UP
 from ._shape import Floats, Integers, Shape, ShapeError, Vector
 from ._table import Rows, at, numbers, plain
@@ -28,17 +29,20 @@ def read_ptx(data: bytes) -> Shape:
     rows = numbers(plain(data))
     starts = rows.starts
     scans: List[Floats] = []
+    values: List[Optional[Floats]] = []  # intensities and colours of each scan; None if its lines have none
     stood: Vector = (0.0, 0.0, 0.0)
     line, empty = 0, 0
     while line < len(rows.counts):
         columns, height, matrix = _header(rows, starts, line)
         line += len(_HEADER)
         points = _grid(rows, starts, line, columns * height)
+        more = _more(rows, starts, line, columns * height)
         line += columns * height
         there = (points != 0.0).any(axis=1)
         empty += int((~there).sum())
         stood = (float(matrix[3, 0]), float(matrix[3, 1]), float(matrix[3, 2]))
         scans.append(np.column_stack([points[there], np.ones(int(there.sum()))]) @ matrix[:, :3])
+        values.append(None if more is None else more[there])
     places: Floats = np.concatenate(scans) if scans else np.empty((0, 3))
     if len(places) == 0:
         raise ShapeError("the PTX file has no points: all places of its grids are empty")
@@ -46,7 +50,15 @@ def read_ptx(data: bytes) -> Shape:
     if empty:
         notes.append(f"{empty} places of {'its grids' if len(scans) > 1 else 'its grid'} are empty")
     viewpoint = stood if len(scans) == 1 else None
-    return Shape(places, None, None, "PTX", ("x", "y", "z"), UP, tuple(notes), viewpoint)
+    return Shape(places, None, None, "PTX", ("x", "y", "z"), UP, tuple(notes), viewpoint, fields=_fields(scans, values))
+
+
+def _fields(scans: List[Floats], values: List[Optional[Floats]]) -> Dict[str, PointValues]:
+    """The intensities and the colours of all scans."""
+    intensity = joined([(len(scan), None if more is None else scalars(more[:, 0])) for scan, more in zip(scans, values)])
+    colour = joined([(len(scan), None if more is None or more.shape[1] < 4 else colours(more[:, 1:]))
+                     for scan, more in zip(scans, values)])  # fmt: skip
+    return {name: one for name, one in (("intensity", intensity), (COLOUR, colour)) if one is not None}
 
 
 def _header(rows: Rows, starts: Integers, line: int) -> Tuple[int, int, Floats]:
@@ -84,3 +96,12 @@ def _grid(rows: Rows, starts: Integers, line: int, count: int) -> Floats:
         raise at(int(rows.lines[i]), 0, what)
     points: Floats = rows.values[starts[line : line + count, None] + np.arange(3)]
     return points
+
+
+def _more(rows: Rows, starts: Integers, line: int, count: int) -> Optional[Floats]:
+    """What all lines of a grid have after the places: an intensity, and perhaps a colour; None if a line has nothing."""
+    if count == 0 or int(rows.counts[line : line + count].min()) < 4:
+        return None
+    width = 4 if int(rows.counts[line : line + count].min()) >= 7 else 1
+    more: Floats = rows.values[starts[line : line + count, None] + 3 + np.arange(width)]
+    return more

@@ -6,16 +6,18 @@ import math
 import struct
 from contextlib import closing
 from pathlib import Path
-from typing import Any, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
+from ._attributes import COLOUR, PointValues, colours, scalars
 from ._optional import needed
 from ._shape import Floats, Shape, ShapeError, Vector
 
 UP: Vector = (0.0, 0.0, 1.0)
 MOST_POINTS = 4_000_000  # largest number of points that are read; of more points, an even part is read
 _HEADER = 227  # size of the shortest header, in bytes
+_COLOURS_AT = {2: 20, 3: 28, 5: 28, 7: 30, 8: 30, 10: 30}  # where the colour begins in the records of a format, in bytes
 
 
 def read_las(path: Path) -> Shape:
@@ -31,36 +33,56 @@ def read_las(path: Path) -> Shape:
     if count == 0:
         raise ShapeError("the LAS file has no points")
     if form & 0xC0:
-        points, notes = _by_laspy(path)
-        return Shape(points, None, None, "LAZ", ("x", "y", "z"), UP, notes)
+        points, fields, notes = _by_laspy(path)
+        return Shape(points, None, None, "LAZ", ("x", "y", "z"), UP, notes, fields=fields)
     there = (path.stat().st_size - offset) // max(length, 1)
     if length < 20 or there < count:
         raise ShapeError(f"the LAS file ends in the middle of its {count} points, after {max(there, 0)} of them")
-    record = np.dtype({"names": ["place"], "formats": [("<i4", 3)], "itemsize": length})
+    at = _COLOURS_AT.get(form)
+    has_colours = at is not None and at + 6 <= length
+    names, kinds, offsets = ["place", "intensity"], [("<i4", 3), "<u2"], [0, 12]
+    if has_colours:
+        names, kinds, offsets = [*names, "colour"], [*kinds, ("<u2", 3)], [*offsets, at]
+    record = np.dtype({"names": names, "formats": kinds, "offsets": offsets, "itemsize": length})
     table: Any = np.memmap(path, record, "r", offset, (count,))
     step = math.ceil(count / MOST_POINTS)
     places = np.array(table["place"][::step], dtype=np.float64)
     notes = _taken(count, len(places))
-    return Shape(places * scale + shift, None, None, "LAS", ("x", "y", "z"), UP, notes)
+    fields = {"intensity": scalars(table["intensity"][::step])}
+    if has_colours:
+        fields[COLOUR] = _colours(np.array(table["colour"][::step]))
+    return Shape(places * scale + shift, None, None, "LAS", ("x", "y", "z"), UP, notes, fields=fields)
+
+
+def _colours(values: Any) -> PointValues:
+    """Colours of LAS, whose numbers reach to 65535, or to 255 in files of some programs."""
+    return colours(values.astype(np.float64))
 
 
 def _taken(count: int, used: int) -> Tuple[str, ...]:
     return (f"{used} of its {count} points are read",) if used < count else ()
 
 
-def _by_laspy(path: Path) -> Tuple[Floats, Tuple[str, ...]]:
+def _by_laspy(path: Path) -> Tuple[Floats, Dict[str, PointValues], Tuple[str, ...]]:
     laspy = needed("laspy", "LAZ", "pip install laspy[lazrs], or Debian 13's python3-laspy and python3-laszip", "pdal translate or las2las turns it into LAS")
     try:
         with laspy.open(path) as file:
             count = int(file.header.point_count)
             step = math.ceil(count / MOST_POINTS)
+            more = [name for name in ("intensity", "red", "green", "blue") if name in file.header.point_format.dimension_names]
             parts: List[Any] = []
+            values: List[Any] = []
             for chunk in file.chunk_iterator(1_000_000):
                 parts.append(np.column_stack([chunk.x, chunk.y, chunk.z])[::step])
+                values.append(np.array([np.array(chunk[name])[::step] for name in more]))
     except Exception as error:  # laspy's decompressors raise various errors
         raise ShapeError(f"laspy cannot read it: {error}") from None
     points: Floats = np.concatenate(parts).astype(np.float64)
-    return points, _taken(count, len(points))
+    table = dict(zip(more, np.concatenate(values, axis=1)))
+    fields = {"intensity": scalars(table["intensity"])} if "intensity" in table else {}
+    if {"red", "green", "blue"} <= table.keys():
+        fields[COLOUR] = _colours(np.column_stack([table[name] for name in ("red", "green", "blue")]))
+    return points, fields, _taken(count, len(points))
 
 
 def read_e57(path: Path) -> Shape:

@@ -2,10 +2,12 @@
 """The contents of a file with points or a mesh."""
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, List, Optional, Sequence, Tuple
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
+
+from ._attributes import PointValues
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -51,6 +53,8 @@ class Shape:
         normals.  None without such normals, and for more than 50 000 faces.
     notes : tuple of str
         What the reader left out or assumed.
+    fields : mapping of str to PointValues
+        Values of the points by name, such as "rgb", "quality" and "intensity", which the option `field` of a drawing names.
     """
 
     points: Floats
@@ -64,6 +68,7 @@ class Shape:
     is_picture: bool = False
     image_shape: Optional[Tuple[int, int]] = None
     sharp_edges: Optional[Integers] = None
+    fields: Mapping[str, PointValues] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if len(self.points) == 0:
@@ -73,6 +78,10 @@ class Shape:
             if low < 0 or high >= len(self.points):
                 wrong = low if low < 0 else high
                 raise ShapeError(f"a face names vertex {wrong}, but there are only {len(self.points)} vertices")
+
+        for name, one in self.fields.items():
+            if len(one.values) != len(self.points):
+                raise ShapeError(f"there are {len(self.points)} points and {len(one.values)} values of {name}")
 
     @property
     def is_mesh(self) -> bool:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from typing import Any, List, NamedTuple, Optional, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 
+from ._attributes import PointValues, attributes
 from ._columns import Columns, by_content, by_heading
 from ._shape import Floats, Shape, ShapeError
 from ._table import Rows, at, is_number, number_at, numbers, plain, shown, without_comments
@@ -61,8 +62,15 @@ def read_xyz(data: bytes, normals_expected: bool = False) -> Shape:
     assert places is not None
     return Shape(
         table[:, places], None if normals is None else table[:, normals], format="text", columns=columns.names,
-        notes=(*notes, *columns.notes),
+        notes=(*notes, *columns.notes), fields=fields_of(table, columns.names),
     )  # fmt: skip
+
+
+def fields_of(table: Floats, names: Tuple[str, ...]) -> Dict[str, PointValues]:
+    """The values in the columns of a table.  A column of unknown meaning is an intensity if it is the only one."""
+    unknown = [i for i, name in enumerate(names) if name == "other"]
+    named = {i: "intensity" if len(unknown) == 1 else f"column{i + 1}" for i in unknown}
+    return attributes({named.get(i, name): table[:, i] for i, name in enumerate(names)})
 
 
 def _head(text: bytes) -> _Head:
@@ -135,7 +143,7 @@ def _has_gaps(body: bytes, separator: bytes) -> bool:
 
 
 def _split(body: bytes, first_line: int, separator: bytes, names: Optional[Tuple[str, ...]]) -> Tuple[Floats, Any]:
-    """The numbers of a text with headings, and the names of its columns.  Columns that are not wanted are not read."""
+    """The numbers of a text with headings, and the names of its columns.  Words in other columns than places and normals are NaN."""
     wanted = [i for i, name in enumerate(names or ()) if name in ("x", "y", "z", "nx", "ny", "nz")]
     if not (separator and _has_gaps(body, separator)):
         try:
@@ -156,8 +164,11 @@ def _split(body: bytes, first_line: int, separator: bytes, names: Optional[Tuple
         if len(words) < width and (not wanted or len(words) <= max(wanted)):
             raise at(number, 0, f"there are {len(words)} columns, but {width} were expected")
         row = [float("nan")] * width
-        for i in wanted or range(min(width, len(words))):
-            row[i] = number_at(words[i], number, i + 1, _HINT) if words[i] else float("nan")
+        for i in range(min(width, len(words))):
+            if not wanted or i in wanted:
+                row[i] = number_at(words[i], number, i + 1, _HINT) if words[i] else float("nan")
+            elif is_number(words[i]):
+                row[i] = float(words[i])
         result.append(row)
     return np.array(result, dtype=np.float64).reshape(len(result), width), names
 
