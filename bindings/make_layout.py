@@ -72,7 +72,7 @@ NAMED = ("style", "layer_style", "line_style", "fit_desc", "mesh_fit_desc", "gen
 SCALARS = {"float": "float32", "double": "float64", "int32_t": "int32", "uint32_t": "uint32", "int64_t": "int64",
            "uint64_t": "uint64", "const char*": "text"}
 # Constants that need a function or an array in another field.  A text cannot give that.
-WANT_MORE = ("HRBFNPR_TONE_CALLBACK", "HRBFNPR_DENSITY_CALLBACK", "HRBFNPR_KERNEL_CUSTOM", "HRBFNPR_KERNEL_CSG",
+WANT_MORE = ("HRBFNPR_TONE_CALLBACK", "HRBFNPR_DENSITY_CALLBACK", "HRBFNPR_DENSITY_FIELD", "HRBFNPR_KERNEL_CUSTOM", "HRBFNPR_KERNEL_CSG",
              "HRBFNPR_LINE_KIND_OWN")
 # In these structs they are allowed: a line style also draws lines that the caller gave.
 BUT_IN = ("hrbfnpr_line_style",)

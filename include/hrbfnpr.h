@@ -3597,6 +3597,18 @@ enum {
                                            `viewpoint` */
 };
 
+/* Values of a source's points, such as the colours or a quality that a file has at its vertices. */
+typedef struct hrbfnpr_source_field {
+    uint32_t struct_size;
+    uint32_t kind;        /* HRBFNPR_FIELD_KIND_...; default SCALAR */
+    const char* name;     /* name for styles; UTF-8, 1 to 63 bytes, copied; not NULL */
+    hrbfnpr_array values; /* values, one for each point; n x 1 (SCALAR) or n x 3, FLOAT32, FLOAT64 or UINT8; UINT8 colours
+                             are 0 .. 255.  A point with a value that is not finite has none */
+} hrbfnpr_source_field;
+
+/* Sets struct_size and all defaults. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_source_field_init(hrbfnpr_source_field* field, uint32_t struct_size);
+
 /* What is drawn, of one of four kinds: points (with or without normals), a mesh (points and triangles), a model, or a
  * point set.  A model and a point set together are a model with its marks, which are used as they are. */
 typedef struct hrbfnpr_picture_source {
@@ -3621,6 +3633,11 @@ typedef struct hrbfnpr_picture_source {
                                   default 0 = the points are no image */
     int64_t rows;              /* number of rows of that image; default 0 */
     const char* name;          /* name of the file, for titles and metadata, UTF-8; default NULL */
+    const hrbfnpr_source_field* fields; /* a list of values of the points or vertices, copied; default NULL.  Places on
+                                           the surface have those of the nearest place of the mesh, or of the nearest
+                                           point.  A layer style that names one gets it, see hrbfnpr_picture_create */
+    int64_t field_count;       /* number of `fields`; 0 .. 1000; default 0 */
+    int64_t field_stride;      /* bytes from one element of `fields` to the next; default 0 = struct_size */
 } hrbfnpr_picture_source;
 
 /* Sets struct_size and all defaults. */
@@ -3680,6 +3697,11 @@ enum {
  *    style.layers.F     the same for all layers of the style; share is multiplied
  *    style.lines.F      a field of hrbfnpr_line_style, for all lines
  *    style.LINE.F       the same for one kind of lines: style.ridge.width
+ *    style.palette      inks for ink fields, #rrggbb with commas between; empty = three inks are chosen from the colours
+ *    style.field        what fields of the source change, as USE=NAME with commas between: "tone=quality,ink=rgb".  USE
+ *                       is tone, density, width, ink, mask or direction.  The first five set style.layers.tone_field
+ *                       and so on, the last sets marks.direction_field.  Without a NAME, the use ends
+ *    marks.direction_field  name of a DIRECTION field of the source, which hatching follows
  *    fit.F              a field of hrbfnpr_fit_desc
  *    mesh_fit.F         a field of hrbfnpr_mesh_fit_desc
  *    marks.F            a field of hrbfnpr_generate_desc
@@ -3837,7 +3859,8 @@ enum {
     HRBFNPR_NOTE_NONMANIFOLD_EDGES = 73,      /* edges have more than two faces [edges] */
     HRBFNPR_NOTE_MESH_OPEN = 74,              /* a mesh is open [borders, their edges] */
     HRBFNPR_NOTE_SEVERAL_PARTS = 75,          /* a mesh has several parts [parts] */
-    HRBFNPR_NOTE_NOT_USABLE = 76              /* a source cannot be drawn; the text says why [] */
+    HRBFNPR_NOTE_NOT_USABLE = 76,             /* a source cannot be drawn; the text says why [] */
+    HRBFNPR_NOTE_PALETTE_CHOSEN = 79          /* inks are chosen from the colours of the source [inks] */
 };
 
 /* A note: something that was chosen, repaired, left out or measured, or that may be wrong. */
@@ -4070,6 +4093,13 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_source_inspect(hrbfnpr_context* context, cons
 
 /* Makes a picture: fits surfaces, places marks and finds lines.  It draws nothing yet.  `operation` may be NULL.  The
  * call needs the stack of hrbfnpr_model_fit.
+ *
+ * A field of a layer style (tone_field and so on) names values of the source (hrbfnpr_source_field), or a field of its
+ * point set.  For numbers of a source, the name may say which value becomes 0 and which becomes 1, as in
+ * "quality:0.2..0.9"; else they are the least and the greatest value that is finite.  "-quality" turns this round.
+ * A colour in place of a number is its luminance, as in HRBFNPR_FIELD_SOURCE_IMAGE.  An ink_field without a palette
+ * gets one of three inks, which a note names.
+ *
  * Errors: INVALID_ARGUMENT (a field of `desc`; a source that cannot be drawn), SINGULAR_SYSTEM, NOT_CONVERGED,
  * OUT_OF_MEMORY, CANCELLED, CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_create(hrbfnpr_context* context, const hrbfnpr_picture_desc* desc,

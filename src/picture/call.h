@@ -73,6 +73,7 @@ struct Surface {
     Mesh mesh;                                // The mesh that the model was fitted to; null without a mesh.
     std::optional<hrbfnpr_mesh_fit_info> fit; // Set if the source is a mesh and the fit chose its samples.
     std::shared_ptr<const Shape> shape;       // Null if the caller gave a model.
+    std::size_t source = 0;                   // The number of the source that it was made from.
     PointSet marks;                           // The marks that the caller gave with a model; null without them.
 };
 

@@ -21,7 +21,7 @@ constexpr std::string_view layers_part = "layers";
 constexpr std::string_view lines_part = "lines";
 
 // Texts that change several fields.
-enum class Special : std::uint8_t { none, ink, ambient };
+enum class Special : std::uint8_t { none, ink, ambient, palette, field, direction_field };
 
 // The struct and the field that a path names.
 struct ChangeTarget {
@@ -52,8 +52,12 @@ struct ChangeTarget {
 }
 
 [[nodiscard]] Special special_of(std::string_view section, std::string_view field) noexcept {
-    if (section != "style") return Special::none;
-    return field == "ink" ? Special::ink : field == "ambient" ? Special::ambient : Special::none;
+    if (section == "marks") return field == "direction_field" ? Special::direction_field : Special::none;
+    return field == "ink"       ? Special::ink
+           : field == "ambient" ? Special::ambient
+           : field == "palette" ? Special::palette
+           : field == "field"   ? Special::field
+                                : Special::none;
 }
 
 // Finds the struct and field for a path that has only small letters and '_'.
@@ -130,6 +134,56 @@ struct ChangeTarget {
     fail(Status::invalid_argument, "%s%s", begin.data(), listed_names(names, target.field_name, room, pool).c_str());
 }
 
+// Parses colours with commas between them. Returns nullopt for any other text.
+[[nodiscard]] std::optional<Vector<std::array<float, 4>>> parse_palette(std::string_view text, Pool& pool) {
+    Vector<std::array<float, 4>> inks(&pool);
+    while (!text.empty()) {
+        const std::size_t comma = text.find(',');
+        const std::optional<FieldValue> ink = parse_value(ink_field(), text.substr(0, comma));
+        if (text.front() != '#' || !ink || inks.size() == settings_tuning.most_inks) return std::nullopt;
+        std::array<float, 4>& to = inks.emplace_back();
+        for (std::size_t i = 0; i < to.size(); ++i) to[i] = static_cast<float>(ink->numbers[i]);
+        if (comma == text.size() - 1) return std::nullopt;
+        text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
+    }
+    return inks;
+}
+
+void check_palette(const char* name, std::string_view value, Pool& pool) {
+    if (parse_palette(value, pool)) return;
+    fail(Status::invalid_argument, "%s.value of style.palette is \"%.60s\"; it must be 1 to %zu colours #rrggbb, %s",
+         name, String(value, &pool).c_str(), settings_tuning.most_inks, "with commas between");
+}
+
+// A use of a field, and the path of the change that sets it.
+struct NamedUse {
+    std::string_view name, path;
+};
+constexpr std::array field_uses{
+    NamedUse{"tone", "style.layers.tone_field"},   NamedUse{"density", "style.layers.density_field"},
+    NamedUse{"width", "style.layers.width_field"}, NamedUse{"ink", "style.layers.ink_field"},
+    NamedUse{"mask", "style.layers.mask_field"},   NamedUse{"direction", "marks.direction_field"}};
+
+// Adds the changes that the uses of fields stand for. `name` is the name of the change in messages.
+void add_field_uses(std::string_view uses, const char* name, Pool& pool, Vector<Change>& changes) {
+    while (!uses.empty()) {
+        const std::size_t comma = std::min(uses.find(','), uses.size());
+        const std::string_view one = uses.substr(0, comma);
+        uses.remove_prefix(std::min(comma + 1, uses.size()));
+        const std::size_t equals = std::min(one.find('='), one.size());
+        const auto* const use = std::find_if(field_uses.begin(), field_uses.end(), [&](const NamedUse& known) {
+            return same_name(known.name, one.substr(0, equals));
+        });
+        if (equals == one.size() || use == field_uses.end())
+            fail(Status::invalid_argument,
+                 "%s.value of style.field is \"%.60s\"; it must be USE=NAME, with one of tone, density, width, ink, "
+                 "mask, "
+                 "direction as USE, such as tone=quality",
+                 name, String(one, &pool).c_str());
+        changes.push_back(Change{String(use->path, &pool), String(one.substr(equals + 1), &pool)});
+    }
+}
+
 void check_change(const ChangeTarget& target, const char* name, std::string_view path, std::string_view value,
                   Pool& pool) {
     if (!target.has_section)
@@ -138,6 +192,8 @@ void check_change(const ChangeTarget& target, const char* name, std::string_view
              name, static_cast<int>(path.size()), path.data());
     if (!target.wrong_kind.empty()) refuse_kind(target, name, path, pool);
     if (target.field == nullptr && target.special == Special::none) refuse_field(target, name, path, pool);
+    if (target.special == Special::palette) return check_palette(name, value, pool);
+    if (target.special == Special::field || target.special == Special::direction_field) return;
     const NamedField& field = target.special == Special::ink       ? ink_field()
                               : target.special == Special::ambient ? ambient_field()
                                                                    : *target.field;
@@ -178,6 +234,10 @@ void read_changes(const hrbfnpr_change* first, std::int64_t count, std::int64_t 
         String path = plain_name(field, pool);
         const ChangeTarget target = find_target(path);
         check_change(target, name.text, path, value, pool);
+        if (target.special == Special::field) {
+            add_field_uses(value, name.text, pool, changes);
+            continue;
+        }
         String kept = plain_value(target, value, pool);
         changes.push_back(Change{std::move(path), std::move(kept)});
     }
@@ -267,6 +327,11 @@ std::optional<std::array<float, 4>> Changes::colour(std::string_view path) const
     std::array<float, 4> rgba{};
     for (std::size_t i = 0; i < rgba.size(); ++i) rgba[i] = static_cast<float>(found->numbers[i]);
     return rgba;
+}
+
+std::optional<Vector<std::array<float, 4>>> Changes::colours(std::string_view path, Pool& pool) const {
+    const std::optional<std::string_view> text = value(path);
+    return text ? parse_palette(*text, pool) : std::nullopt;
 }
 
 template <class T>

@@ -21,8 +21,13 @@ struct Change {
     String value;
 };
 
-// A list of changes. The path "style.ink" names no field of a struct: it is the colour of all layers, lines and
-// contours, and plan.cpp reads it by colour().
+// A list of changes. Some paths name no field of a struct:
+//   "style.ink"              the colour of all layers, lines and contours; plan.cpp reads it by colour()
+//   "style.ambient"          the share of light from the sky; plan.cpp reads it by number()
+//   "style.palette"          the inks of ink fields; plan.cpp reads them by colours()
+//   "style.field"            uses of fields, such as "tone=quality,direction=flow". The list holds each use as a change
+//                            of its own: "style.layers.tone_field" or "marks.direction_field"
+//   "marks.direction_field"  the name of the values that hatching follows; field_plan.cpp reads it
 class Changes {
 public:
     // Reads and checks the caller's list. Throws Error{invalid_argument} that names the path and the allowed values.
@@ -44,6 +49,8 @@ public:
     [[nodiscard]] std::optional<double> number(std::string_view path) const noexcept;
     // Returns the last value for a path as straight RGBA.
     [[nodiscard]] std::optional<std::array<float, 4>> colour(std::string_view path) const noexcept;
+    // Returns the last value for a path as colours: up to 8, written #rrggbb or #rrggbbaa, with commas between.
+    [[nodiscard]] std::optional<Vector<std::array<float, 4>>> colours(std::string_view path, Pool& pool) const;
 
     // Sets each field of a record for which the list has "section.FIELD", in the order of the list: apply("fit", desc).
     // T is a struct of Record that starts with struct_size. Texts of the record point into this object. Two sections

@@ -63,6 +63,7 @@ private:
 
 using Model = Handle<hrbfnpr_model, hrbfnpr_model_retain, hrbfnpr_model_release>;
 using PointSet = Handle<hrbfnpr_point_set, hrbfnpr_point_set_retain, hrbfnpr_point_set_release>;
+using Field = Handle<hrbfnpr_field, hrbfnpr_field_retain, hrbfnpr_field_release>;
 using LineSet = Handle<hrbfnpr_line_set, hrbfnpr_line_set_retain, hrbfnpr_line_set_release>;
 using Occluders = Handle<hrbfnpr_occluders, hrbfnpr_occluders_retain, hrbfnpr_occluders_release>;
 using Shading = Handle<hrbfnpr_shading, hrbfnpr_shading_retain, hrbfnpr_shading_release>;

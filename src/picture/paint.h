@@ -1,71 +1,52 @@
 // SPDX-License-Identifier: MIT
-// Provides painted values as the functions of tone, density and direction that the library calls.
-//
-// Each dab is a ball with a value. The dabs act one after the other. A dab changes the value v of each place inside the
-// ball, unless the surface faces away there: v += strength (1 - d^2 / radius^2)^2 (value - v), at the distance d.
+// Makes fields of painted dabs, and of fields that lie over others.
 #pragma once
 
-#include "geometry/vec.h"
-#include "picture/memory.h"
+#include "picture/call.h"
+#include "picture/handles.h"
 #include "picture/style.h"
 
 #include <hrbfnpr.h>
 
+#include <cstdint>
 #include <memory>
-#include <span>
 
 namespace hrbfnpr::picture {
 
-// The dabs of one map, in the order in which they were painted. A grid finds the dabs near a place.
-class PaintedMap {
-public:
-    // Takes the elements of `dabs` that belong to this map (HRBFNPR_DAB_*).
-    PaintedMap(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, Pool& pool);
-    PaintedMap(PaintedMap&&) noexcept = default;
-    PaintedMap(const PaintedMap&) = delete; // A copy would allocate outside the pool.
-    PaintedMap& operator=(const PaintedMap&) = delete;
-    ~PaintedMap() = default;
-
-    [[nodiscard]] bool empty() const noexcept { return dabs_.empty(); }
-    // Applies all dabs to a value at a place with a normal, and returns the new value.
-    [[nodiscard]] double pulled(double value, const glm::dvec3& place, const glm::dvec3& normal) const noexcept;
-    // Returns the painted direction at a place, or 0 where no direction is painted.
-    [[nodiscard]] glm::dvec3 direction(const glm::dvec3& place, const glm::dvec3& normal) const noexcept;
-    // Returns whether both maps have the same dabs.
-    [[nodiscard]] bool operator==(const PaintedMap& other) const noexcept;
-
-private:
-    struct CellDab {
-        std::uint64_t cell;
-        std::uint32_t dab;
-    };
-    [[nodiscard]] std::span<const CellDab> near(const glm::dvec3& place) const noexcept;
-
-    Vector<hrbfnpr_dab> dabs_;
-    Vector<CellDab> cells_; // sorted by cell, then by dab
-    double cell_side_ = 1.0;
+// A field over another. At a place, the result is below + w (above - below), where w is the weight of `above`.
+struct FieldOver {
+    base::Memory* memory;
+    Field below; // may be null
+    Field above;
+    std::size_t components; // the count of numbers of a value
+    bool is_direction;      // true if values have no sign
+    bool is_full;           // true if each weight of `above` that is not 0 counts as 1
 };
 
-// A painted map, and the light that gives the tones before painting. The functions below receive it as `user`.
-struct PaintedTone {
-    PaintedMap map;
-    glm::dvec3 light{0.0, 0.0, 1.0}; // a unit vector in world coordinates
-    double exponent = 1.0;
-    double fill = 0.0;
-    bool is_lit = true; // If false, tones are 0 before painting.
+// Implements hrbfnpr_field_fn. Its `user` is a FieldOver.
+std::int32_t values_over(void* user, std::int64_t count, const double* positions, const double* normals, double* values,
+                         double* weights) noexcept;
+
+// A field of a FieldOver, which must stay at its place.
+struct HeldField {
+    explicit HeldField(FieldOver&& fields) : over(std::move(fields)) {}
+    HeldField(const HeldField&) = delete;
+    HeldField& operator=(const HeldField&) = delete;
+
+    FieldOver over;
+    Field field;
 };
 
-// painted_tone() implements hrbfnpr_tone_fn, and its `user` is a PaintedTone. The others implement hrbfnpr_density_fn
-// and hrbfnpr_direction_fn, and their `user` is a PaintedMap.
-std::int32_t painted_tone(void* user, std::int64_t count, const float* positions, const float* normals,
-                          float* tau) noexcept;
-std::int32_t painted_density(void* user, std::int64_t count, const double* positions, const double* normals,
-                             double* density) noexcept;
-std::int32_t painted_direction(void* user, std::int64_t count, const double* positions, const double* normals,
-                               double* directions) noexcept;
+// Returns a field of the caller's dabs of one map (HRBFNPR_DAB_*). It is null without such dabs.
+[[nodiscard]] Field field_of_dabs(const Call& call, std::uint32_t map);
 
-// Makes a style and layers of marks use painted maps, and keep these maps alive. `camera` gives the direction of a
-// light that moves with the camera. Throws Error{invalid_argument} if a light has no direction.
-void set_paint(std::span<const hrbfnpr_dab> dabs, const hrbfnpr_camera& camera, Style& style, Marks& marks, Pool& pool);
+// Returns painted numbers over other numbers, which may be null.
+[[nodiscard]] std::shared_ptr<const HeldField> numbers_over(const Call& call, const Field& below, const Field& above);
+// Returns painted directions over other directions, which may be null. The painted ones count fully in the whole dab.
+[[nodiscard]] std::shared_ptr<const HeldField> directions_over(const Call& call, const Field& below,
+                                                               const Field& above);
+
+// Makes layers of marks use painted densities and directions, and keeps their fields alive.
+void set_paint(const Call& call, Marks& marks);
 
 } // namespace hrbfnpr::picture

@@ -44,7 +44,7 @@ std::int64_t hrbfnpr_picture::mark_count() const {
 bool hrbfnpr_picture::is_still() const noexcept {
     return marks && marks->base.distribution == HRBFNPR_DISTRIBUTION_BLUE_NOISE &&
            style->base.visibility == HRBFNPR_VISIBILITY_DEPTH_LAYERS && !options.has(HRBFNPR_PICTURE_KEEP_MARKS) &&
-           options.desc.turn == 0.0 && !picture::has_section(options);
+           options.desc.turn == 0.0 && !picture::has_section(options) && !picture::uses_fields(options, *style);
 }
 
 namespace hrbfnpr::picture {
@@ -87,8 +87,11 @@ void make_surfaces(hrbfnpr_picture& made, const hrbfnpr_picture_desc& desc) {
     Surfaces& to = made.own_surfaces;
     Vector<Source> sources = read_sources(desc, made.pool);
     to.name = sources.front().name;
-    for (Source& source : sources) {
-        const bool is_first = &source == &sources.front();
+    for (std::size_t number = 0; number < sources.size(); ++number) {
+        Source& source = sources[number];
+        const bool is_first = number == 0;
+        const std::size_t before = to.list.size();
+        to.values.add(std::move(source.values));
         if (source.shape) {
             add_shape(call, std::move(*source.shape), to, is_first);
         } else if (source.model) {
@@ -98,6 +101,7 @@ void make_surfaces(hrbfnpr_picture& made, const hrbfnpr_picture_desc& desc) {
             to.up = up_of_marks(call, source.marks);
             to.places = positions_of(source.marks, made.pool);
         }
+        for (std::size_t i = before; i < to.list.size(); ++i) to.list[i].source = number;
     }
 }
 
@@ -182,6 +186,24 @@ double area_of(const Surfaces& surfaces) noexcept {
     return area;
 }
 
+// Makes the hatching of a part follow the directions of its source, if the plan names some.
+void set_direction(const hrbfnpr_picture& picture, const Call& call, std::size_t source, Marks& marks) {
+    if (marks.direction_field.empty()) return;
+    const SourceFields& values = picture.surfaces().values;
+    const WantedField wanted = values.find(call, marks.direction_field, FieldUse::direction);
+    Field field = values.make_field(call, wanted, source);
+    if (!field) return;
+    if (const Field painted = field_of_dabs(call, HRBFNPR_DAB_DIRECTION)) {
+        const auto held = directions_over(call, field, painted);
+        marks.hold(held);
+        field = held->field;
+    } else {
+        marks.hold(std::make_shared<Field>(field));
+    }
+    for (hrbfnpr_layer_desc& layer : marks.layers)
+        if (layer.kind == HRBFNPR_LAYER_KIND_HATCH) layer.direction_field = field.get();
+}
+
 // Returns the planned marks of all parts, in the member `marks` of each part. `is_still`: only those that the planned
 // camera needs.
 Vector<Part> place_marks(const hrbfnpr_picture& picture, const Call& call, bool is_still) {
@@ -192,8 +214,9 @@ Vector<Part> place_marks(const hrbfnpr_picture& picture, const Call& call, bool 
     made.marks.emplace(*picture.marks, picture.root().pool);
     const double area = area_of(surfaces);
     for (std::size_t i = 0; i < surfaces.list.size(); ++i) {
-        const Marks own =
+        Marks own =
             surfaces.list.size() == 1 ? *picture.marks : share_of(*picture.marks, surfaces.probes[i].area / area);
+        set_direction(picture, call, surfaces.list[i].source, own);
         const StillDrawing still = still_of(picture, i);
         Part& part = made.parts.emplace_back();
         part.marks = generate_marks(call, surfaces.list[i].model, own, is_still ? &still : nullptr);
@@ -238,8 +261,34 @@ void trace_all_lines(hrbfnpr_picture& picture, const Call& call) {
 
 // ---- The picture
 
+// Resolves the names of fields in the style.
+void resolve_fields(hrbfnpr_picture& picture, const Call& call) {
+    if (!uses_fields(picture.options, *picture.style)) return;
+    const Surfaces& surfaces = picture.surfaces();
+    const PointSet& given = surfaces.list.empty() ? surfaces.marks : surfaces.list.front().marks;
+    picture.fields.emplace(call, *picture.style, surfaces.values, given);
+}
+
+// Gives the marks of all parts their fields, and chooses inks for them.
+void give_fields(hrbfnpr_picture& picture, const Call& call) {
+    if (!picture.fields) return;
+    const Vector<Surface>& surfaces = picture.surfaces().list;
+    Vector<PointSet> marks(&picture.pool);
+    {
+        Stage stage(call.report, HRBFNPR_STAGE_MARKS);
+        for (std::size_t i = 0; i < picture.parts.size(); ++i) {
+            PointSet& set = picture.parts[i].marks;
+            set = picture.fields->with_fields(call, set, surfaces.empty() ? 0 : surfaces[i].source, stage.operation());
+            marks.push_back(set);
+        }
+        stage.says("values of fields");
+    }
+    choose_palette(call, picture.fields->layers(), marks, *picture.style);
+}
+
 void finish(hrbfnpr_picture& picture) {
     picture.style_view = picture.style->view();
+    if (picture.fields) picture.style_view.layers = picture.fields->layers().data();
     if (picture.marks) picture.marks_view = picture.marks->view();
     picture.renderer = make<Renderer>([&](hrbfnpr_renderer** made, hrbfnpr_error* error) {
         return hrbfnpr_renderer_create(&picture.context(), made, error);
@@ -266,6 +315,8 @@ void plan_point_set(hrbfnpr_picture& picture, const Call& call) {
     Part& part = picture.parts.emplace_back();
     part.marks = surfaces.marks;
     part.sides = sides_of(call, Model());
+    resolve_fields(picture, call);
+    give_fields(picture, call);
 }
 
 void plan_surfaces(hrbfnpr_picture& picture, const Call& call) {
@@ -276,6 +327,7 @@ void plan_surfaces(hrbfnpr_picture& picture, const Call& call) {
     picture.camera = choose_camera(picture);
     const hrbfnpr_camera& camera = picture.camera;
     picture.style.emplace(plan_style(call, camera.viewport[2], camera.viewport[3], has_end));
+    resolve_fields(picture, call);
     for (const Surface& surface : surfaces.list) {
         Part& part = picture.parts.emplace_back();
         part.marks = surface.marks;
@@ -285,11 +337,12 @@ void plan_surfaces(hrbfnpr_picture& picture, const Call& call) {
         const Model& first = surfaces.list.front().model;
         const double pixels = pixels_per_unit(camera, bounds_of(first).centre());
         picture.marks.emplace(
-            plan_marks(call, *picture.style, area_of(surfaces), pixels, model_info_of(first).centres, camera));
+            plan_marks(call, *picture.style, area_of(surfaces), pixels, model_info_of(first).centres));
         picture.style_view = picture.style->view();
         const Vector<Part> placed = place_marks(picture, call, picture.is_still());
         for (std::size_t i = 0; i < placed.size(); ++i) picture.parts[i].marks = placed[i].marks;
     }
+    give_fields(picture, call);
     trace_all_lines(picture, call);
 }
 

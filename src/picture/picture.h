@@ -17,7 +17,9 @@
 
 #include "picture/call.h"
 #include "picture/look.h"
+#include "picture/mark_fields.h"
 #include "picture/plan.h"
+#include "picture/source_fields.h"
 #include "picture/sources.h"
 #include "picture/style.h"
 
@@ -37,10 +39,11 @@ namespace hrbfnpr::picture {
 
 // The surfaces of all sources. Pictures with different styles share them.
 struct Surfaces {
-    explicit Surfaces(Pool& pool) : list(&pool), probes(&pool), places(&pool), name(&pool) {}
+    explicit Surfaces(Pool& pool) : list(&pool), values(pool), probes(&pool), places(&pool), name(&pool) {}
 
     // The surfaces, source by source; the largest surface of each source comes first. Empty for a point set.
     Vector<Surface> list;
+    SourceFields values;  // the values at the points of each source
     Vector<Probe> probes; // One probe for each surface. Empty if the picture has only surfaces (SURFACE_ONLY).
     PointSet marks;       // marks that were given without a model, else null
     Points places;        // places spread over all surfaces
@@ -108,7 +111,9 @@ public:
     hrbfnpr::picture::View view;
     hrbfnpr_camera camera{};
     std::optional<hrbfnpr::picture::Style> style; // empty if the picture has only surfaces (SURFACE_ONLY)
-    hrbfnpr_style style_view{};                   // a view of `style` for callers
+    // The fields that the marks need; empty if the style uses none.
+    std::optional<hrbfnpr::picture::MarkFields> fields;
+    hrbfnpr_style style_view{};                   // a view of `style` for callers, with the layers of `fields`
     std::optional<hrbfnpr::picture::Marks> marks; // the planned marks; empty if marks were given
     hrbfnpr_generate_desc marks_view{};
     hrbfnpr::picture::Vector<hrbfnpr::picture::Part> parts;

@@ -43,14 +43,15 @@ ChangedField parts_of_path(std::string_view path) noexcept {
     return {path.substr(0, first), group, path.substr(last + 1)};
 }
 
-// Applies `change` to a record. If it sets the field `name` of the record, `keeper` stores the text.
+// Applies `change` to a record. If it sets a text of the record, `keeper` stores the text.
 template <class Struct, class Keeper>
 void apply_one_change(const Change& change, Struct& record, Keeper& keeper, Pool& pool) {
     const hrbfnpr_change given{sizeof given, 0, change.path.c_str(), change.value.c_str()};
     const Changes one(&given, 1, 0, pool);
-    const char* const before = record.name;
+    const Struct before = record;
     one.apply(std::string_view(change.path).substr(0, change.path.rfind('.')), record);
-    if (record.name != before && record.name != nullptr) record.name = keeper.keep(record.name);
+    for (const auto text : texts_of(record))
+        if (record.*text != before.*text && record.*text != nullptr) record.*text = keeper.keep(record.*text);
 }
 
 // Returns whether the caller, not a file of settings, changed a field.
@@ -162,6 +163,7 @@ void change_style(const Call& call, Style& style) {
         std::copy(contours, contours + 4, style.base.silhouette_ink);
         for (hrbfnpr_line_style& line : style.lines) std::copy(contours, contours + 4, line.ink);
     }
+    if (auto palette = changes.colours("style.palette", call.pool)) style.palette = *std::move(palette);
     if (call.options.has(HRBFNPR_PICTURE_TRANSPARENT)) style.base.paper[3] = 0.0F;
 }
 
@@ -465,8 +467,7 @@ Style plan_style(const Call& call, double width, double height, bool has_end) {
     return style;
 }
 
-Marks plan_marks(const Call& call, Style& style, double area, double pixels_per_unit, std::int64_t centres,
-                 const hrbfnpr_camera& camera) {
+Marks plan_marks(const Call& call, const Style& style, double area, double pixels_per_unit, std::int64_t centres) {
     HRBFNPR_ASSERT(centres >= 0);
     const Options& options = call.options;
     Marks marks(call.pool);
@@ -489,7 +490,8 @@ Marks plan_marks(const Call& call, Style& style, double area, double pixels_per_
         set_open_budget(layer, marks.base.distribution);
         marks.layers.push_back(layer.desc);
     }
-    set_paint(options.dabs, camera, style, marks, call.pool);
+    marks.direction_field = options.changes.value("marks.direction_field").value_or(std::string_view());
+    set_paint(call, marks);
     return marks;
 }
 

@@ -20,12 +20,12 @@ namespace hrbfnpr::picture {
 [[nodiscard]] Style plan_style(const Call& call, double width, double height, bool has_end);
 
 // Plans the layers of marks that the style wants. Where the caller gives no number, the marks fill the darkest tone.
-// Notes the limits that apply, and puts painted maps into the style and the layers.
+// Notes the limits that apply, and puts painted densities and directions into the layers.
 //   area             area of the surface, in square units of the model
 //   pixels_per_unit  length in pixels of a unit of the model at its middle, perpendicular to the line of sight
 //   centres          number of centres of the model, 0 or more; the published recursion starts from centres
-[[nodiscard]] Marks plan_marks(const Call& call, Style& style, double area, double pixels_per_unit,
-                               std::int64_t centres, const hrbfnpr_camera& camera);
+[[nodiscard]] Marks plan_marks(const Call& call, const Style& style, double area, double pixels_per_unit,
+                               std::int64_t centres);
 
 // Returns the marks for a part of the area: all budgets are multiplied by `share`, from 0 to 1.
 [[nodiscard]] Marks share_of(const Marks& marks, double share);

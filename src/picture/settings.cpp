@@ -99,13 +99,13 @@ template <std::size_t count>
 // A section of the file: the fields of a struct, and keys that are not plain fields.
 struct SettingsSection {
     Record record;
-    std::array<std::string_view, 3> more; // the names of the keys that are not plain fields; "" if there are fewer
+    std::array<std::string_view, 4> more; // the names of the keys that are not plain fields; "" if there are fewer
 };
-constexpr SettingsSection style_section{Record::style, {"layers", "lines", "lights"}};
+constexpr SettingsSection style_section{Record::style, {"layers", "lines", "lights", "palette"}};
 constexpr SettingsSection light_section{Record::light, {}};
 constexpr SettingsSection layer_style_section{Record::layer_style, {}};
 constexpr SettingsSection line_style_section{Record::line_style, {"levels"}};
-constexpr SettingsSection marks_section{Record::generate_desc, {"layers"}};
+constexpr SettingsSection marks_section{Record::generate_desc, {"layers", "direction_field"}};
 constexpr SettingsSection layer_section{Record::layer_desc, {}};
 constexpr SettingsSection fit_section{Record::fit_desc, {}};
 constexpr SettingsSection mesh_fit_section{Record::mesh_fit_desc, {}};
@@ -329,6 +329,16 @@ void read_style(const JsonValue& value, Style& style, Pool& pool) {
             style.lights.push_back(light);
         }
     }
+    if (const std::optional<JsonValue> palette = value.find("palette")) {
+        if (palette->kind() != JsonKind::list) refuse_value("style.palette", "a list of colours", *palette, pool);
+        style.palette.clear();
+        for (const JsonValue one : *palette) {
+            const String where = path_of("style.palette", style.palette.size(), pool);
+            const std::array<double, 4> ink = read_numbers<4>(one, where, pool);
+            std::array<float, 4>& to = style.palette.emplace_back();
+            std::transform(ink.begin(), ink.end(), to.begin(), [](double part) { return static_cast<float>(part); });
+        }
+    }
 }
 
 // Completes a layer after reading. A tone range without an end counts as not given, and negative numbers mean an
@@ -414,6 +424,10 @@ void read_sections(const JsonValue& root, Settings& settings, Pool& pool) {
     const std::optional<JsonValue> marks = root.find("marks");
     const std::optional<JsonValue> line_set = root.find("line_set");
     if (marks) read_fields(*marks, "marks", marks_section, settings.fields, pool);
+    if (const std::optional<JsonValue> direction = marks ? marks->find("direction_field") : std::nullopt) {
+        if (direction->kind() != JsonKind::text) refuse_value("marks.direction_field", "a text", *direction, pool);
+        settings.fields.emplace_back(String("marks.direction_field", &pool), String(direction->text(), &pool));
+    }
     if (line_set) read_fields(*line_set, "line_set", line_set_section, settings.fields, pool);
     if (const std::optional<JsonValue> camera = root.find("camera"))
         settings.saved_camera = read_camera(*camera, settings.size.has_value(), pool);

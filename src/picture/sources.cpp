@@ -116,11 +116,15 @@ void read_source(const hrbfnpr_picture_source& given, const char* owner, Pool& p
     const bool has_arrays = given.points.count != 0 || given.triangles.count != 0 || given.normals.count != 0;
     if (given.model == nullptr && given.point_set == nullptr) {
         source.shape.emplace(read_shape(given, owner, pool));
+        source.values = read_source_values(given, *source.shape, owner, pool);
         return;
     }
     if (has_arrays)
         fail(Status::invalid_argument, "%s has points and a %s; give one of them", owner,
              given.model != nullptr ? "model" : "point_set");
+    if (given.field_count != 0)
+        fail(Status::invalid_argument, "%s.field_count is %lld, but only points and meshes have fields; give 0", owner,
+             static_cast<long long>(given.field_count));
     if (given.model != nullptr) source.model = Model::shared(given.model);
     if (given.point_set != nullptr) source.marks = PointSet::shared(given.point_set);
 }

@@ -4,6 +4,7 @@
 
 #include "picture/handles.h"
 #include "picture/shape.h"
+#include "picture/source_fields.h"
 
 #include <hrbfnpr.h>
 
@@ -13,12 +14,13 @@ namespace hrbfnpr::picture {
 
 // A source: a shape, a model (possibly with marks), or a point set.
 struct Source {
-    explicit Source(Pool& pool) : name(&pool) {}
+    explicit Source(Pool& pool) : name(&pool), values(pool) {}
 
     String name; // The name, for titles. It may be empty.
     std::optional<Shape> shape;
     Model model;
     PointSet marks;
+    SourceValues values; // the values of the shape's points
 };
 
 // Reads and checks a source. Throws Error{invalid_argument} that names the wrong field.

@@ -5,7 +5,6 @@
 #include "api/views.h"
 #include "base/assert.h"
 #include "picture/handles.h"
-#include "picture/paint.h"
 
 #include <algorithm>
 #include <cstring>
@@ -15,6 +14,7 @@ namespace {
 
 // The largest number of elements in a list that the library accepts.
 constexpr std::int64_t most_style_elements = 65536;
+constexpr std::int64_t most_inks = 8;
 
 bool same_style_name(const char* a, const char* b) noexcept {
     return a == b || (a != nullptr && b != nullptr && std::strcmp(a, b) == 0);
@@ -32,6 +32,8 @@ hrbfnpr_style style_without_lists(hrbfnpr_style style) noexcept {
     style.lights = nullptr;
     style.layer_count = style.layer_stride = style.line_count = style.line_stride = 0;
     style.light_count = style.light_stride = 0;
+    style.palette = nullptr;
+    style.palette_count = 0;
     return style;
 }
 
@@ -42,8 +44,14 @@ hrbfnpr_generate_desc marks_without_list(hrbfnpr_generate_desc desc) noexcept {
 }
 
 template <std::size_t count>
-bool same_layer_numbers(const double (&a)[count], const double (&b)[count]) noexcept {
+bool same_numbers(const double (&a)[count], const double (&b)[count]) noexcept {
     return std::equal(a, a + count, b);
+}
+
+bool same_dab(const hrbfnpr_dab& a, const hrbfnpr_dab& b) noexcept {
+    return a.map == b.map && same_numbers(a.position, b.position) && same_numbers(a.normal, b.normal) &&
+           a.radius == b.radius && a.strength == b.strength && a.value == b.value &&
+           same_numbers(a.direction, b.direction);
 }
 
 bool same_seed_points(const hrbfnpr_array& a, const hrbfnpr_array& b) noexcept {
@@ -56,21 +64,13 @@ bool same_seed_points(const hrbfnpr_array& a, const hrbfnpr_array& b) noexcept {
     return true;
 }
 
-const PaintedMap& painted_map_of(void* user) noexcept { return *static_cast<const PaintedMap*>(user); }
-
-// Returns whether two densities are the same. Different functions count as different densities, unless both are
-// painted.
+// Returns whether two densities are the same. Fields are compared by Marks::same_as(), as paint is.
 bool same_density(const hrbfnpr_layer_desc& a, const hrbfnpr_layer_desc& b) noexcept {
-    if (a.density != b.density || a.density_function != b.density_function) return false;
-    if (a.density_user == b.density_user) return true;
-    return a.density_function == painted_density && painted_map_of(a.density_user) == painted_map_of(b.density_user);
+    return a.density == b.density && a.density_function == b.density_function && a.density_user == b.density_user;
 }
 
 bool same_direction(const hrbfnpr_layer_desc& a, const hrbfnpr_layer_desc& b) noexcept {
-    if (a.direction_function != b.direction_function) return false;
-    if (a.direction_user == b.direction_user) return true;
-    return a.direction_function == painted_direction &&
-           painted_map_of(a.direction_user) == painted_map_of(b.direction_user);
+    return a.direction_function == b.direction_function && a.direction_user == b.direction_user;
 }
 
 bool same_layer(const hrbfnpr_layer_desc& a, const hrbfnpr_layer_desc& b) noexcept {
@@ -79,9 +79,9 @@ bool same_layer(const hrbfnpr_layer_desc& a, const hrbfnpr_layer_desc& b) noexce
            a.second_tone_end == b.second_tone_end && a.flags == b.flags && same_density(a, b) &&
            a.density_strength == b.density_strength && a.separation == b.separation && a.step == b.step &&
            same_direction(a, b) && a.start == b.start && a.start_level == b.start_level && a.levels == b.levels &&
-           a.angle == b.angle && a.smoothing == b.smoothing && same_layer_numbers(a.axis, b.axis) &&
+           a.angle == b.angle && a.smoothing == b.smoothing && same_numbers(a.axis, b.axis) &&
            a.axis_weight == b.axis_weight && a.tone_smoothing == b.tone_smoothing && a.guide == b.guide &&
-           same_layer_numbers(a.guide_direction, b.guide_direction) && a.guide_weight == b.guide_weight;
+           same_numbers(a.guide_direction, b.guide_direction) && a.guide_weight == b.guide_weight;
 }
 
 bool same_base(const hrbfnpr_generate_desc& a, const hrbfnpr_generate_desc& b) noexcept {
@@ -103,8 +103,8 @@ hrbfnpr_array KeptTexts::numbers(const double* first, std::size_t count, std::ui
 }
 
 Style::Style(Pool& pool)
-    : base(defaults<hrbfnpr_style>(hrbfnpr_style_init)), layers(&pool), lines(&pool), lights(&pool), pool_(&pool),
-      kept_(pool) {}
+    : base(defaults<hrbfnpr_style>(hrbfnpr_style_init)), layers(&pool), lines(&pool), lights(&pool), palette(&pool),
+      pool_(&pool), kept_(pool) {}
 
 Style::Style(std::uint32_t preset, Pool& pool) : Style(pool) {
     hrbfnpr_style named;
@@ -121,10 +121,9 @@ Style::Style(const hrbfnpr_style& given, Pool& pool) : Style(pool) {
 
 Style::Style(const Style& other, Pool& pool)
     : base(other.base), layers(other.layers, &pool), lines(other.lines, &pool), lights(other.lights, &pool),
-      pool_(&pool), kept_(pool) {
+      palette(other.palette, &pool), pool_(&pool), kept_(pool) {
     kept_.hold_all_of(other.kept_);
-    for (hrbfnpr_layer_style& layer : layers)
-        if (layer.name != nullptr) layer.name = kept_.text(layer.name);
+    for (hrbfnpr_layer_style& layer : layers) keep_texts(layer);
     for (hrbfnpr_line_style& line : lines) {
         if (line.name != nullptr) line.name = kept_.text(line.name);
         if (line.levels.count > 0)
@@ -140,12 +139,24 @@ Style& Style::operator=(Style other) noexcept {
     return *std::construct_at(this, std::move(other));
 }
 
+void Style::keep_texts(hrbfnpr_layer_style& layer) {
+    for (const auto text : layer_style_texts)
+        if (layer.*text != nullptr) layer.*text = kept_.text(layer.*text);
+}
+
 void Style::take_lists(const hrbfnpr_style& given) {
     const api::List<hrbfnpr_layer_style> all_layers(given.layers, given.layer_count, given.layer_stride,
                                                     most_style_elements, "style.layers");
     for (std::int64_t i = 0; i < all_layers.count(); ++i) {
-        hrbfnpr_layer_style& layer = layers.emplace_back(all_layers[i]);
-        if (layer.name != nullptr) layer.name = kept_.text(layer.name);
+        keep_texts(layers.emplace_back(all_layers[i]));
+    }
+    if (given.palette_count < 0 || given.palette_count > most_inks)
+        fail(Status::invalid_argument, "style.palette_count is %lld; it must be from 0 to %lld",
+             static_cast<long long>(given.palette_count), static_cast<long long>(most_inks));
+    if (given.palette_count > 0 && given.palette == nullptr) fail(Status::invalid_argument, "style.palette is NULL");
+    for (std::int64_t i = 0; i < given.palette_count; ++i) {
+        std::array<float, 4>& ink = palette.emplace_back();
+        std::copy(given.palette + 4 * i, given.palette + 4 * i + 4, ink.begin());
     }
     const api::List<hrbfnpr_light> all_lights(given.lights, given.light_count, given.light_stride, most_style_elements,
                                               "style.lights");
@@ -204,15 +215,18 @@ hrbfnpr_style Style::view() const noexcept {
     style.lights = lights.data();
     style.light_count = static_cast<std::int64_t>(lights.size());
     style.light_stride = sizeof(hrbfnpr_light);
+    style.palette = palette.empty() ? nullptr : palette.front().data();
+    style.palette_count = static_cast<std::int64_t>(palette.size());
     return style;
 }
 
 Marks::Marks(Pool& pool)
     : base(marks_without_list(defaults<hrbfnpr_generate_desc>(hrbfnpr_generate_desc_init))), layers(&pool),
-      pool_(&pool), kept_(pool) {}
+      direction_field(&pool), dabs(&pool), pool_(&pool), kept_(pool) {}
 
 Marks::Marks(const Marks& other, Pool& pool)
-    : base(other.base), layers(other.layers, &pool), pool_(&pool), kept_(pool) {
+    : base(other.base), layers(other.layers, &pool), direction_field(other.direction_field, &pool),
+      dabs(other.dabs, &pool), pool_(&pool), kept_(pool) {
     kept_.hold_all_of(other.kept_);
     for (hrbfnpr_layer_desc& layer : layers)
         if (layer.name != nullptr) layer.name = kept_.text(layer.name);
@@ -242,7 +256,8 @@ hrbfnpr_generate_desc Marks::view() const noexcept {
 }
 
 bool Marks::same_as(const Marks& other) const noexcept {
-    return same_base(base, other.base) &&
+    return same_base(base, other.base) && direction_field == other.direction_field &&
+           std::equal(dabs.begin(), dabs.end(), other.dabs.begin(), other.dabs.end(), same_dab) &&
            std::equal(layers.begin(), layers.end(), other.layers.begin(), other.layers.end(), same_layer);
 }
 

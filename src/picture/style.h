@@ -6,6 +6,7 @@
 
 #include <hrbfnpr.h>
 
+#include <array>
 #include <list>
 #include <memory>
 #include <string_view>
@@ -34,7 +35,18 @@ private:
     Vector<std::shared_ptr<const void>> held_;
 };
 
-// An hrbfnpr_style that owns its layers, lines, lights, names and levels. It corresponds to the class Style in Python.
+// The texts of elements of lists. They point to kept texts.
+inline constexpr std::array layer_style_texts{&hrbfnpr_layer_style::name,       &hrbfnpr_layer_style::density_field,
+                                              &hrbfnpr_layer_style::tone_field, &hrbfnpr_layer_style::width_field,
+                                              &hrbfnpr_layer_style::ink_field,  &hrbfnpr_layer_style::mask_field};
+[[nodiscard]] constexpr const auto& texts_of(const hrbfnpr_layer_style&) noexcept { return layer_style_texts; }
+inline constexpr std::array line_style_texts{&hrbfnpr_line_style::name};
+[[nodiscard]] constexpr const auto& texts_of(const hrbfnpr_line_style&) noexcept { return line_style_texts; }
+inline constexpr std::array layer_desc_texts{&hrbfnpr_layer_desc::name};
+[[nodiscard]] constexpr const auto& texts_of(const hrbfnpr_layer_desc&) noexcept { return layer_desc_texts; }
+
+// An hrbfnpr_style that owns its layers, lines, lights, inks, texts and levels. It corresponds to the class Style in
+// Python.
 class Style {
 public:
     explicit Style(Pool& pool);                    // a copy of the library's default style
@@ -47,9 +59,10 @@ public:
     ~Style() = default;
 
     hrbfnpr_style base;                 // The style without its lists, which are the members below.
-    Vector<hrbfnpr_layer_style> layers; // The layers; their names point to kept texts.
+    Vector<hrbfnpr_layer_style> layers; // The layers; their texts point to kept texts.
     Vector<hrbfnpr_line_style> lines;   // The lines; their names and levels point to kept texts and numbers.
     Vector<hrbfnpr_light> lights;
+    Vector<std::array<float, 4>> palette; // inks for ink fields, straight sRGB
 
     // Returns the element for a kind of layers (HRBFNPR_LAYER_KIND_*). If the element applies to several kinds, a copy
     // for this kind is inserted before it. The reference is valid until `layers` grows.
@@ -71,6 +84,8 @@ public:
 
 private:
     void take_lists(const hrbfnpr_style& given);
+    // Replaces the texts of a layer by copies.
+    void keep_texts(hrbfnpr_layer_style& layer);
 
     Pool* pool_;
     KeptTexts kept_;
@@ -88,6 +103,8 @@ public:
 
     hrbfnpr_generate_desc base; // The descriptor without its list of layers, but with its seed_points.
     Vector<hrbfnpr_layer_desc> layers;
+    String direction_field;   // the name of the source's values that hatching follows; may be empty
+    Vector<hrbfnpr_dab> dabs; // the dabs that fields of the layers are made of
 
     [[nodiscard]] const char* keep(std::string_view text) { return kept_.text(text); }
     void hold(std::shared_ptr<const void> owner) { kept_.hold(std::move(owner)); }

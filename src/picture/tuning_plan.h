@@ -53,4 +53,20 @@ struct LineStyleTuning {
 };
 inline constexpr LineStyleTuning line_style_tuning;
 
+// Inks that are chosen from the colours of marks.
+struct PaletteTuning {
+    // The largest number of inks. Larger: colours are shown more faithfully, by more pens.
+    std::size_t inks = 3;
+    // The least difference between the colours of two inks before they are darkened, in Oklab. Larger: fewer inks.
+    double least_difference = 0.05;
+    // The number of times that groups of colours are formed anew. Larger: slower, and after some rounds no difference.
+    int rounds = 12;
+    // An ink has this share of the lightness, and this many times the chroma, of its colours. Larger: paler, brighter.
+    double darkness = 0.7;
+    double chroma = 1.15;
+    // About the largest number of marks of a part whose colours are looked at. Larger: slower.
+    std::int64_t most_colours = 8000;
+};
+inline constexpr PaletteTuning palette_tuning;
+
 } // namespace hrbfnpr::picture

@@ -118,18 +118,10 @@ void write_kind_style(JsonDocument& to, Record record, const Struct& style, cons
     to.end();
 }
 
-// Returns the tone that a style had before it was painted. A painted tone is a function, which cannot be written.
-[[nodiscard]] std::uint32_t plain_tone(const Options& options, std::uint32_t tone) noexcept {
-    if (tone != HRBFNPR_TONE_CALLBACK) return tone;
-    if (const std::optional<double> given = options.changes.number("style.tone"))
-        return static_cast<std::uint32_t>(*given);
-    return options.settings != nullptr ? options.settings->style.base.tone : std::uint32_t{HRBFNPR_TONE_LIGHT};
-}
-
-void write_style(JsonDocument& to, const Options& options, const PictureParts& parts, Pool& pool) {
+void write_style(JsonDocument& to, const PictureParts& parts, Pool& pool) {
     const Style base(parts.preset, pool);
     hrbfnpr_style style = parts.style.base;
-    style.tone = plain_tone(options, style.tone);
+    if (style.tone == HRBFNPR_TONE_CALLBACK) style.tone = HRBFNPR_TONE_LIGHT; // A function cannot be written.
     to.key("style").begin(JsonKind::object);
     for_names(style_order, [&](std::string_view name) {
         write_changed(to, *find_field(Record::style, name), &style, &base.base, true);
@@ -148,14 +140,24 @@ void write_style(JsonDocument& to, const Options& options, const PictureParts& p
             write_kind_style(to, Record::light, light, defaults<hrbfnpr_light>(hrbfnpr_light_init));
         to.end();
     }
+    if (!parts.style.palette.empty()) {
+        to.key("palette").begin(JsonKind::list);
+        for (const std::array<float, 4>& ink : parts.style.palette) {
+            to.begin(JsonKind::list);
+            for (const float part : ink) write_number(to, static_cast<double>(part), true);
+            to.end();
+        }
+        to.end();
+    }
     to.end();
 }
 
 void write_layer(JsonDocument& to, const hrbfnpr_layer_desc& layer) {
     auto base = defaults<hrbfnpr_layer_desc>(hrbfnpr_layer_desc_init);
     hrbfnpr_layer_desc plain = layer;
-    // This density comes from paint, which is written separately.
-    if (plain.density == HRBFNPR_DENSITY_CALLBACK) plain.density = base.density;
+    // A density field comes from paint, which is written separately. A function cannot be written.
+    if (plain.density == HRBFNPR_DENSITY_CALLBACK || plain.density == HRBFNPR_DENSITY_FIELD)
+        plain.density = base.density;
     to.begin(JsonKind::object);
     const auto field = [](std::string_view name) -> const NamedField& { return *find_field(Record::layer_desc, name); };
     write_field(to, field("kind"), &plain, false);
@@ -259,6 +261,8 @@ void write_marks(JsonDocument& to, const Options& options, const Marks& marks, P
     if (fields.text("seed_source") == "points") fields.remove("seed_source");
     to.key("marks").begin(JsonKind::object);
     fields.write(to);
+    if (const auto direction = options.changes.value("marks.direction_field"); direction && !direction->empty())
+        to.key("direction_field").add_text(*direction);
     to.key("layers").begin(JsonKind::list);
     for (const hrbfnpr_layer_desc& layer : marks.layers) write_layer(to, layer);
     to.end();
@@ -398,7 +402,7 @@ WrittenSettings write_settings(const Options& options, const PictureParts& parts
     write_list(document, "view", parts.camera.view);
     write_list(document, "projection", parts.camera.projection);
     document.end();
-    write_style(document, options, parts, pool);
+    write_style(document, parts, pool);
     if (parts.marks != nullptr) write_marks(document, options, *parts.marks, pool);
     write_fit(document, options, pool);
     write_mesh_fit(document, options, pool);
