@@ -57,6 +57,11 @@ GROUPS = {
                "from 0 to 1 (default: black)"),  # fmt: skip
         Option("paper", "style.paper", "paint", "COLOUR", "colour of the paper, written as for ink (default: white)"),
         flag("transparent", "flags.TRANSPARENT", "leave the paper transparent"),
+        Option("field", "style.field", "fields", "USE=NAME", "let values of the source's points change the drawing, such as "
+               "tone=quality or ink=rgb; USE is tone, density, width, ink, mask or direction, and NAME:LOW..HIGH says which "
+               "values become 0 and 1"),  # fmt: skip
+        Option("palette", "style.palette", "palette", "COLOURS", "inks for ink=NAME of field: up to 8 colours #rrggbb with commas "
+               "between (default: three, from the colours)"),  # fmt: skip
         choice("sides", "sides", "sides of the surface that are drawn; auto draws both sides of an open surface "
                "(default: auto)"),  # fmt: skip
         choice("hidden_lines", "style.hidden_lines", "hidden marks are drawn paler, left out or drawn in full "

@@ -18,6 +18,7 @@ TYPES = {
     "layers": "Names", "lines": "Names", "per_layer": "PerLayer", "interval": "Optional[Floats]", "edges": "NumberOr",
     "number_or_auto": "NumberOr", "count_or_auto": "NumberOr", "assignment": "Optional[Mapping[str, Any]]",
     "file": "Optional[Any]", "page": "Size", "pens": "Names", "pen_widths": "Optional[Floats]",
+    "fields": "Fields", "palette": "Palette",
 }  # fmt: skip
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from typing import Any, Optional, Union
+from typing import Any, Mapping, Optional, Union
 
 from ._camera import Camera
 from ._context import Context
@@ -23,6 +23,7 @@ def draw(
     camera: Optional[Camera] = None,
     progress: Progress = None,
     context: Optional[Context] = None,
+    fields: Optional[Mapping[str, Any]] = None,
     **others: Any,
 ) -> Picture:
     """Draw a file, arrays, or a mesh or point cloud of another package, in one call.
@@ -45,6 +46,9 @@ def draw(
         makes such a bar.
     context : Context, optional
         The threads to use; by default a new context.
+    fields : mapping of str to array, optional
+        Values of the source's points, for the option `field`: shape (n,) for numbers, (n, 3) for colours from 0 to 1 (or 0 to
+        255) and for directions.  They are added to those of a file.
     {options}
     **others
         Options under other names: those of the fields that they set, such as ``budget`` for ``marks``.
@@ -71,9 +75,10 @@ def draw(
     Examples
     --------
     >>> hrbfnpr.draw("bunny.ply", "hatch", size=800).save("bunny.png")
+    >>> hrbfnpr.draw("bunny.ply", "stipple", fields={"heat": heat}, field="tone=heat", size=800)
     >>> hrbfnpr.draw((points, normals), azimuth=60, lines="contour,suggestive")
     """
-    return draw_of(source, style, others, camera, progress, context)
+    return draw_of(source, style, others, camera, progress, context, fields)
 
 
 def _signature() -> inspect.Signature:

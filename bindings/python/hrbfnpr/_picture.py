@@ -216,11 +216,11 @@ def asked(
 
 def draw_of(
     source: Any, style: Any, options: Mapping[str, Any], camera: Optional[Camera], progress: Progress,
-    context: Optional[Context],
+    context: Optional[Context], fields: Optional[Mapping[str, Any]] = None,
 ) -> Picture:  # fmt: skip
     """The work of `draw`."""
     report = CallReport(progress)
-    scene = asked(source, style, options, camera, context, report)
+    scene = asked(source, style, options, camera, context, report, fields=fields)
     drawing = scene.draw(report=report)
     report.finish()
     return Picture(scene, drawing, scene.camera, tuple(report.notes))

@@ -12,6 +12,7 @@ import numpy as np
 from . import _records, _values
 from ._arrays import block_in
 from ._errors import new_list, new_struct
+from ._fields import color
 from ._library import ffi, lib
 from ._model import Model
 from ._names import NORMALS
@@ -69,6 +70,8 @@ def parsed(name: str, row: Option, value: Any) -> Any:
         if not isinstance(value, (bool, np.bool_)):
             raise ValueError(f"{name} must be True or False, not {value!r}")
         return bool(value)
+    if row.kind == "palette" and not isinstance(value, str):
+        value = [_hex(one) for one in value]
     text = _words(value, "x" if row.kind in _WIDTH_BY_HEIGHT else ",")
     if row.kind == "lines" and not text:
         text = "none"
@@ -103,6 +106,13 @@ def _words(value: Any, between: str) -> str:
     if isinstance(value, (list, tuple, np.ndarray)):
         return between.join(_words(part, between) for part in value)
     return str(value)
+
+
+def _hex(value: Any) -> str:
+    """A colour as #rrggbb or #rrggbbaa."""
+    if isinstance(value, str):
+        return value
+    return "#" + "".join(f"{round(255 * part):02x}" for part in color("palette", tuple(value)))
 
 
 def _assignments(value: Any) -> Any:
@@ -223,8 +233,11 @@ def in_names(text: str, as_option: bool) -> str:
 # ---- Sources
 
 
-def fill_source(struct: Any, thing: Any, name: Optional[str]) -> List[Any]:
-    """Write a hrbfnpr_picture_source of a Shape, a Model, a PointSet, or a model with its marks.  Keep the result alive."""
+def fill_source(struct: Any, thing: Any, name: Optional[str], with_fields: bool = False) -> List[Any]:
+    """Write a hrbfnpr_picture_source of a Shape, a Model, a PointSet, or a model with its marks.  Keep the result alive.
+
+    `with_fields`: whether the values of a Shape's points are passed, too.
+    """
     keep: List[Any] = []
     if name is not None:
         struct.name = text_in(keep, name)
@@ -234,7 +247,20 @@ def fill_source(struct: Any, thing: Any, name: Optional[str]) -> List[Any]:
             keep.append(part)
         else:
             _fill_shape(struct, part, keep)
+            if with_fields:
+                _fill_fields(struct, part, keep)
     return keep
+
+
+def _fill_fields(struct: Any, shape: Any, keep: List[Any]) -> None:
+    """Write the values of the points."""
+    structs = new_list("hrbfnpr_source_field", len(shape.fields))
+    for one, (name, given) in zip(structs, shape.fields.items()):
+        one.name, one.kind = text_in(keep, name), constant(f"FIELD_KIND_{given.kind}")
+        components = 1 if given.kind == "scalar" else 3
+        keep.append(block_in(f"fields[{name!r}]", given.values, components, "f").fill(one.values))
+    struct.fields, struct.field_count = structs, len(shape.fields)
+    keep.append(structs)
 
 
 def _fill_shape(struct: Any, shape: Any, keep: List[Any]) -> None:
@@ -295,7 +321,8 @@ _IN_WORDS = {
     "lines": "str or sequence of str", "per_layer": "int, or mapping of str to int", "interval": "(low, high)",
     "edges": "str or float", "number_or_auto": "float or str", "count_or_auto": "int or str",
     "assignment": "mapping of str", "file": "path", "page": "(width, height) or str", "pens": "str",
-    "pen_widths": "sequence of float",
+    "pen_widths": "sequence of float", "fields": "str, sequence of str, or mapping of str to str",
+    "palette": "str or sequence of colours",
 }  # fmt: skip
 
 

@@ -48,6 +48,12 @@ class Part(NamedTuple):
     line_set: Optional[LineSet]
 
 
+def _may_use_fields(options: Options, style: Any, settings: Any) -> bool:
+    """Whether a picture may need values of the points.  They are not passed otherwise, because scans have many."""
+    changes = [path for path, _ in options.get("set", ())]
+    return settings is not None or isinstance(style, Style) or "field" in options or any("_field" in path for path in changes)
+
+
 class _Listener:
     """Receives the events of pictures and passes them to the reporter of the running call."""
 
@@ -131,6 +137,7 @@ class Scene(Owner):
         cls, sources: Sequence[Source], options: Options, style: Any, context: Context, report: Reporter, *,
         camera: Optional[Camera] = None, flags: Sequence[str] = (), name: Optional[str] = None, settings: Any = None,
         turn: Optional[Tuple[float, int]] = None, path: Optional[str] = None,
+        with_fields: bool = False,
     ) -> Scene:  # fmt: skip
         """Fit the surfaces, place marks and find lines.
 
@@ -146,11 +153,13 @@ class Scene(Owner):
             An orbit for which the picture has room.
         path : str, optional
             The file that errors about the contents name.
+        with_fields : bool
+            Whether the picture gets the values of points even if neither the options nor the style may name them.
         """
         desc, keep = describe(options, flags)
         structs = new_list("hrbfnpr_picture_source", len(sources))
         for struct, source in zip(structs, sources):
-            keep.append(fill_source(struct, source, name))
+            keep.append(fill_source(struct, source, name, with_fields or _may_use_fields(options, style, settings)))
         desc.sources, desc.source_count = structs, len(sources)
         if settings is not None:
             desc.settings = settings._handle

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, Optional, Union
+from typing import Any, Mapping, Optional, Union
 
 from . import shapes
 from ._camera import Camera
@@ -97,11 +98,20 @@ def _solid(path: Path, options: Options, context: Context, report: Reporter) -> 
     return model
 
 
+def _with_fields(content: Any, fields: Mapping[str, Any], options: Options) -> Any:
+    """A shape with more values of its points.  Three numbers are a direction if the options use them as such, else a colour."""
+    if not isinstance(content, shapes.Shape):
+        raise ValueError("fields are values of points: a model and saved marks have no points to give them to")
+    directions = [part[10:] for part in options.get("field", "").split(",") if part.startswith("direction=")]
+    found = {name: shapes.values_of(name, values, len(content.points), name in directions) for name, values in fields.items()}
+    return replace(content, fields={**content.fields, **found})
+
+
 def scene_of(
     source: Any, style: Any, options: Options, camera: Optional[Camera], context: Optional[Context], report: Reporter,
-    is_script: bool = False, **more: Any,
+    is_script: bool = False, fields: Optional[Mapping[str, Any]] = None, **more: Any,
 ) -> Scene:  # fmt: skip
-    """The scene of a source.  `more` are arguments of `Scene.create`."""
+    """The scene of a source.  `fields` are more values of its points; `more` are arguments of `Scene.create`."""
     context = Context() if context is None else context
     if isinstance(source, (str, os.PathLike)):
         path = Path(source)
@@ -112,4 +122,6 @@ def scene_of(
             content = shape_of(source)
             for note in content.notes:
                 report.note(note)
+    if fields:
+        content, more["with_fields"] = _with_fields(content, fields, options), True
     return Scene.create([content], options, style, context, report, camera=camera, name=name, path=file, **more)

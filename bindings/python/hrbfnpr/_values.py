@@ -197,6 +197,32 @@ def _are_numbers(texts: List[str]) -> bool:
         return False
 
 
+# ---- Fields of a source
+
+FIELD_USES = ("tone", "density", "width", "ink", "mask", "direction")
+MOST_INKS = 8
+
+
+def fields(text: str) -> str:
+    """Uses of fields, as USE=NAME with commas between.  An empty NAME ends a use."""
+    for part in text.split(","):
+        use, equals, _ = part.partition("=")
+        if not equals or use not in FIELD_USES:
+            raise wrong(f"{part!r} must be USE=NAME, such as tone=quality; USE is one of {', '.join(FIELD_USES)}")
+    return text
+
+
+def palette(text: str) -> str:
+    """Colours of inks, with commas between."""
+    inks = text.split(",")
+    if len(inks) > MOST_INKS:
+        raise wrong(f"a palette has at most {MOST_INKS} inks, not {len(inks)}")
+    for ink in inks:
+        if not re.fullmatch(r"#(?:[0-9a-fA-F]{2}){3,4}", ink):
+            raise wrong(f"colours such as #203040 with commas between are needed, not {ink!r}")
+    return text
+
+
 # ---- Fields of a style
 
 
@@ -290,7 +316,7 @@ _PARSERS: Dict[str, Callable[[str], Any]] = {
     "number": number, "vector": vector, "direction": direction, "up": up, "paint": paint, "size": size, "layers": layers,
     "per_layer": per_layer, "lines": lines, "interval": interval, "edges": edges, "text": str, "file": str,
     "number_or_auto": or_auto(number, "auto"), "assignment": assignment, "page": page, "pens": pens,
-    "pen_widths": pen_widths,
+    "pen_widths": pen_widths, "fields": fields, "palette": palette,
 }  # fmt: skip
 
 

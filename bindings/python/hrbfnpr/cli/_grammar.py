@@ -58,8 +58,15 @@ class Parser(argparse.ArgumentParser):
 def options_of(arguments: Any) -> Options:
     """The options of the drawing that are on the command line, by name."""
     found = {row.name: getattr(arguments, f"option_{row.name}", None) for row in OPTIONS}
-    return {name: value.replace("-", "_") if BY_NAME[name].choices else value for name, value in found.items()
-            if value is not None and value is not False and value != []}  # fmt: skip
+    given = {name: value for name, value in found.items() if value is not None and value is not False and value != []}
+    return {name: _plain(BY_NAME[name], value) for name, value in given.items()}
+
+
+def _plain(row: Option, value: Any) -> Any:
+    """The value of an option as `hrbfnpr.draw` has it."""
+    if row.choices:
+        return value.replace("-", "_")
+    return ",".join(value) if row.kind == "fields" else value
 
 
 def _add_option(group: Any, row: Option) -> None:
@@ -71,8 +78,9 @@ def _add_option(group: Any, row: Option) -> None:
         shown = [choice.replace("_", "-") for choice in row.choices]
         words = f"{words}; one of {', '.join(shown)}"
         group.add_argument(name, dest=dest, default=None, choices=shown, metavar=row.metavar, help=words)
-    elif row.kind == "assignment":
-        group.add_argument(name, dest=dest, action="append", default=[], type=values.assignment, metavar=row.metavar, help=words)
+    elif row.kind in ("assignment", "fields"):  # may be given more than once
+        parse = values.parser_of(row.kind)
+        group.add_argument(name, dest=dest, action="append", default=[], type=parse, metavar=row.metavar, help=words)
     else:
         group.add_argument(name, dest=dest, default=None, type=values.parser_of(row.kind), metavar=row.metavar, help=words)
 

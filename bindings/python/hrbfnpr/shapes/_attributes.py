@@ -49,6 +49,22 @@ def scalars(values: Any) -> PointValues:
     return PointValues("scalar", np.asarray(values).reshape(-1).astype(np.float32))
 
 
+def values_of(name: str, values: Any, count: int, is_direction: bool) -> PointValues:
+    """The values of an array for `count` points: numbers, or three for each point.
+
+    Raises
+    ------
+    ValueError
+        If the array has another shape.
+    """
+    array = np.asarray(values)
+    if array.shape[:1] != (count,) or array.shape[1:] not in ((), (1,), (3,), (4,)) or array.dtype.kind not in "fiub":
+        raise ValueError(f"fields[{name!r}] must hold numbers of the shape ({count},) or ({count}, 3), not {array.shape}")
+    if array.shape[1:] in ((), (1,)):
+        return scalars(array)
+    return PointValues("direction", array[:, :3].astype(np.float32)) if is_direction else colours(array)
+
+
 def attributes(columns: Mapping[str, Any]) -> Dict[str, PointValues]:
     """The values of named columns of numbers.
 
