@@ -87,6 +87,12 @@ struct FeatureTuning {
     double turned_share = 2e-4;
     double torn_share = 2e-2;
     std::int64_t most_triangles_of_finer = 1'200'000;
+    // Parts with fewer triangles than this are traced by one thread each. Larger: more threads wait at the end for the
+    // last part.
+    std::int64_t small_part = 20'000;
+    // If the eye is farther away than this, in diagonals, lines of sight count as parallel. The resulting contours are
+    // the same to the last digit.
+    double parallel_distance = 1e9;
     // A line of the caller is cut where the cosine of its turn is below this (25 degrees), so that corners stay sharp.
     double own_corner = 0.906;
 };

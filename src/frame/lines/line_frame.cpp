@@ -15,8 +15,7 @@
 
 #include "base/assert.h"
 #include "base/clock.h"
-#include "curves/curve_changes.h"
-#include "curves/trace.h"
+#include "features/contours.h"
 #include "frame/lines/lines.h"
 #include "frame/lines/tuning.h"
 #include "geometry/point_grid.h"
@@ -111,17 +110,7 @@ Camera camera_off_planes(const Scene& scene, std::span<const Item> items) {
 curves::View view_of(const Camera& camera, const Item& item) {
     const Optics optics = make_optics(camera);
     const glm::dmat4 to_eye = camera.view * item.transform;
-    glm::dvec4 eye = glm::inverse(to_eye) * optics.centre;
-    if (eye.w != 0.0) {
-        const glm::dvec3 place = glm::dvec3(eye) / eye.w;
-        const geometry::Bounds& region = item.lines->mesh().region;
-        const glm::dvec3 size = glm::abs(place); // The squares of these numbers may overflow.
-        const double largest = std::max({size.x, size.y, size.z});
-        const bool is_far = !(largest <= line_tuning.parallel_distance * glm::distance(region.min, region.max));
-        eye = is_far ? glm::dvec4(glm::normalize(0.5 * (region.min + region.max) / largest - place / largest), 0.0)
-                     : glm::dvec4(place, 1.0);
-    }
-    return {eye, optics.window * to_eye};
+    return {curves::eye_for(*item.lines, glm::inverse(to_eye) * optics.centre), optics.window * to_eye};
 }
 
 // ---- Subjects
@@ -138,22 +127,9 @@ visibility::Subject& add_subject(const LineSource& source, const curves::Curves&
     return out.subjects.back();
 }
 
-// The surface of an item, or the smooth part of it with the given index.
-struct SmoothPart {
-    const curves::LineSet& lines;
-    std::int64_t part;
-
-    [[nodiscard]] const implicit::Implicit& surface() const noexcept {
-        return lines.parts().empty() ? lines.surface() : lines.parts()[part]->surface;
-    }
-    [[nodiscard]] const curves::SurfaceMesh& mesh() const noexcept {
-        return lines.parts().empty() ? lines.mesh() : lines.parts()[part]->mesh;
-    }
-};
-
 // Moves the contours of a part out of the list of all contours of the last frame. Returns null without such contours.
 // `next` is the index at which the search begins, because the parts of a frame mostly have the order of the last one.
-std::unique_ptr<Contours> take_last(const SmoothPart& part, std::int64_t item, ContourList& all_last,
+std::unique_ptr<Contours> take_last(const curves::SmoothPart& part, std::int64_t item, ContourList& all_last,
                                     std::int64_t& next) {
     for (std::int64_t k = 0; k < all_last.size(); ++k) {
         const std::int64_t at = (next + k) % all_last.size();
@@ -168,7 +144,7 @@ std::unique_ptr<Contours> take_last(const SmoothPart& part, std::int64_t item, C
 
 // Returns the contours of a part in this view. `last` are its contours in the last frame, or null. If the eye has not
 // moved since then, they are used again.
-std::unique_ptr<Contours> find_contours(const base::Work& work, const SmoothPart& part, std::int64_t item,
+std::unique_ptr<Contours> find_contours(const base::Work& work, const curves::SmoothPart& part, std::int64_t item,
                                         const curves::ContourLevel& level, std::unique_ptr<Contours> last) {
     const curves::View& view = level.view();
     if (last != nullptr && last->eye == view.eye) return last;
@@ -199,33 +175,23 @@ std::unique_ptr<Contours> find_contours(const base::Work& work, const SmoothPart
     return contours;
 }
 
-// Traces the contours of an item. On a sheet, contours end at the creases of the sheet. Large parts are traced one
-// after another, each by all threads. Small parts have too little work for that, and each is traced by one thread.
+// Traces the contours of an item. On a sheet, contours end at the creases of the sheet.
 void trace_contours(const base::Work& work, const LineSource& source, ContourList& last, TracedLines& out) {
     const curves::LineSet& lines = source.lines();
-    const std::int64_t parts = std::max<std::int64_t>(1, lines.parts().size());
     const std::int64_t first = out.contours.size();
     const std::int64_t item = out.items[source.number];
     HRBFNPR_ASSERT(out.levels.size() == first);
-    base::Array<std::int64_t> small(work.memory);
-    const auto trace = [&](const base::Work& with, std::int64_t p) {
+    std::int64_t next = 0;
+    const auto prepare = [&](std::int64_t p) {
+        const curves::SmoothPart part{lines, p};
+        out.levels.add(std::make_unique<curves::ContourLevel>(part.surface(), source.view));
+        out.contours.add(take_last(part, item, last, next));
+    };
+    curves::trace_parts(work, lines, prepare, [&](const base::Work& with, std::int64_t p) {
         std::unique_ptr<Contours>& contours = out.contours[first + p];
         contours = find_contours(with, {lines, p}, item, *out.levels[first + p], std::move(contours));
-    };
-    std::int64_t next = 0;
-    for (std::int64_t p = 0; p < parts; ++p) {
-        out.levels.add(std::make_unique<curves::ContourLevel>(SmoothPart{lines, p}.surface(), source.view));
-        out.contours.add(take_last({lines, p}, item, last, next));
-        if (SmoothPart{lines, p}.mesh().triangles() < line_tuning.small_part)
-            small.push_back(p);
-        else
-            trace(work.without_progress(), p);
-    }
-    const base::Runtime one_thread(work, base::Parallel());
-    lines.surface().threads(work).for_each(small.size(), [&](std::int64_t i) {
-        trace({one_thread, work.without_progress()}, small[i]);
     });
-    for (std::int64_t p = 0; p < parts; ++p) {
+    for (std::int64_t p = 0; p < curves::smooth_parts_of(lines); ++p) {
         const Contours& contours = *out.contours[first + p];
         out.broken += contours.broken;
         visibility::Subject& subject = add_subject(source, contours.with_cusps, out);

@@ -18,9 +18,6 @@ struct LineTuning {
     // The tolerance for tracing contours from the contours of the last frame, in mesh sides. The next frame starts from
     // the result. After a Newton step as long as this, the error is a millionth of a mesh side.
     double moved_tolerance = 1e-3;
-    // Parts with fewer triangles than this are traced by one thread each. Larger: more threads wait at the end for the
-    // last part.
-    std::int64_t small_part = 20'000;
     // The caller's own lines may be this deep inside the surface, in mesh sides. Larger: surface just before such lines
     // does not hide them.
     double caller_line_clearance = 1.0;
@@ -28,9 +25,6 @@ struct LineTuning {
     double shortest_feature = 0.01;
     // The number of refinement rounds of apparent ridges.
     int ridge_rounds = 2;
-    // If the eye is farther away than this, in diagonals, lines of sight count as parallel. The resulting contours are
-    // the same to the last digit.
-    double parallel_distance = 1e9;
     // For models with creases, the camera is moved by this share of the scene's radius, so that no face is seen exactly
     // edge-on. Larger: lines move visibly.
     double camera_offset = 2e-5;
