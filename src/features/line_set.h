@@ -30,9 +30,11 @@ enum class LineKind : std::uint32_t {
     section = 8,
     border = 9,
     own = 10,
-    crease = 11
+    crease = 11,
+    shadow = 12,
+    terminator = 13
 };
-inline constexpr std::uint32_t line_kind_count = 12;
+inline constexpr std::uint32_t line_kind_count = 14;
 // Returns whether lines of this kind are found again for each camera or light.
 [[nodiscard]] constexpr bool depends_on_view(LineKind kind) noexcept {
     return kind == LineKind::contour || kind == LineKind::suggestive_contour || kind == LineKind::apparent_ridge ||

@@ -38,6 +38,8 @@ constexpr double traced_end = 0.32;
 constexpr double found_end = 0.8;
 constexpr double hidden_end = 0.9;
 
+bool is_shadow(LineKind kind) noexcept { return kind == LineKind::shadow || kind == LineKind::terminator; }
+
 bool draws_lines(const Item& item) noexcept { return item.lines != nullptr && !item.style.lines.empty(); }
 
 void add_counts(const visibility::Invisibility& found, const TracedLines& traced,
@@ -230,7 +232,8 @@ void add_lines(const base::Runtime& runtime, const LineSource& source, const cur
         subject.sheet_change = sheets;
         if (style == nullptr) continue;
         if (style->kind == LineKind::own) subject.clearance = line_tuning.caller_line_clearance;
-        subject.joined = style->kind == LineKind::section && source.lines().creases().count() > 0;
+        subject.joined =
+            is_shadow(style->kind) || (style->kind == LineKind::section && source.lines().creases().count() > 0);
         out.styles.push_back({style, number, layer, parts.strength.data()});
     }
 }
@@ -320,6 +323,12 @@ void add_style(const base::Work& work, const Scene& scene, const LineSource& sou
         add_features(work, source, style, layer, light, out);
         break;
     }
+    case LineKind::shadow:
+    case LineKind::terminator:
+        if (item.shading == nullptr) break;
+        for (const curves::FoundLines& found : item.shading->lines)
+            if (found.kind == style.kind) add_lines(work, source, found.lines, &style, layer, 0, out);
+        break;
     default:
         for (const curves::FoundLines& found : source.lines().found())
             if (found.kind == style.kind && (style.name == nullptr || std::strcmp(style.name, found.name.data()) == 0))

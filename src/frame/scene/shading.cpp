@@ -37,19 +37,6 @@ struct WorldMarks {
     return marks;
 }
 
-[[nodiscard]] light::Lamp lamp_of(const LightStyle& style, const ShadedItem& item, std::int32_t rays) noexcept {
-    const glm::dmat4 to_world = style.space == LightSpace::camera ? glm::inverse(item.view)
-                                : style.space == LightSpace::item ? item.to_world
-                                                                  : glm::dmat4(1.0);
-    light::Lamp lamp;
-    lamp.is_place = style.kind == LightKind::place;
-    lamp.place = glm::dvec3(to_world * glm::dvec4(style.place, lamp.is_place ? 1.0 : 0.0));
-    if (!lamp.is_place) lamp.place = glm::normalize(lamp.place);
-    lamp.softness = static_cast<double>(style.softness);
-    lamp.rays = rays;
-    return lamp;
-}
-
 // Copies numbers of marks to the order of the blocks. Places without a mark get 1.
 void sort_into_blocks(const base::Array<float>& of_marks, std::int64_t first, const marks::Layer& layer, float* to) {
     const base::Array<marks::MarkBlock>& block = layer.clusters.block;
@@ -122,12 +109,29 @@ std::int64_t Shading::bytes() const noexcept {
     for (const LayerShading& layer : layers)
         sum += layer.open.bytes() + layer.visible.bytes() + layer.open_in_blocks.bytes() +
                layer.visible_in_blocks.bytes() + layer.of_cluster.bytes() + layer.of_piece.bytes();
+    for (const curves::FoundLines& found : lines) sum += found.lines.bytes();
     return sum;
+}
+
+light::Lamp lamp_of(const LightStyle& style, const ShadedItem& item, std::int32_t rays) noexcept {
+    const glm::dmat4 to_world = style.space == LightSpace::camera ? glm::inverse(item.view)
+                                : style.space == LightSpace::item ? item.to_world
+                                                                  : glm::dmat4(1.0);
+    light::Lamp lamp;
+    lamp.is_place = style.kind == LightKind::place;
+    lamp.place = glm::dvec3(to_world * glm::dvec4(style.place, lamp.is_place ? 1.0 : 0.0));
+    if (!lamp.is_place) lamp.place = glm::normalize(lamp.place);
+    lamp.softness = static_cast<double>(style.softness);
+    lamp.rays = rays;
+    return lamp;
 }
 
 Casters casters_of(const base::Work& work, std::span<const Caster> casters) {
     base::Array<glm::dvec3> vertex(work.memory);
     base::Array<geometry::Bvh::Triangle> triangle(work.memory);
+    base::Array<Caster> all(work.memory);
+    base::Array<std::int64_t> first_face(work.memory);
+    base::Array<geometry::Bounds> boxes(work.memory);
     double cell = 0.0;
     geometry::Bounds bounds;
     for (const Caster& caster : casters) {
@@ -137,15 +141,26 @@ Casters casters_of(const base::Work& work, std::span<const Caster> casters) {
             fail(Status::invalid_argument,
                  "the line sets of all items together have more than 2147483647 vertices; make them with a larger "
                  "cell_size");
-        for (std::int64_t i = 0; i < mesh.vertices(); ++i)
+        geometry::Bounds box;
+        for (std::int64_t i = 0; i < mesh.vertices(); ++i) {
             vertex.push_back(glm::dvec3(caster.to_world * glm::dvec4(mesh.position[i], 1.0)));
+            box.extend(vertex.back());
+        }
+        all.push_back(caster);
+        first_face.push_back(triangle.size());
+        boxes.push_back(box);
         for (std::int64_t t = 0; t < mesh.triangles(); ++t)
             triangle.push_back(
                 {first + mesh.corner[3 * t], first + mesh.corner[3 * t + 1], first + mesh.corner[3 * t + 2]});
         cell = std::max(cell, mesh.side * mean_scale(caster.to_world));
     }
     for (const glm::dvec3& place : vertex) bounds.extend(place);
-    return {geometry::Bvh(work, vertex, triangle), cell, bounds.diagonal()};
+    return {geometry::Bvh(work, vertex, triangle),
+            cell,
+            bounds.diagonal(),
+            std::move(all),
+            std::move(first_face),
+            std::move(boxes)};
 }
 
 Shading find_shading(const base::Work& work, const Casters& casters, const ShadedItem& item,

@@ -9,9 +9,11 @@
 #include "base/list.h"
 #include "base/work.h"
 #include "curves/surface_mesh.h"
+#include "features/line_set.h"
 #include "frame/scene/camera.h"
 #include "frame/scene/lighting.h"
 #include "geometry/bvh.h"
+#include "light/light.h"
 #include "marks/point_set.h"
 
 #include <array>
@@ -32,12 +34,13 @@ struct LayerShading {
 };
 
 struct Shading {
-    explicit Shading(base::Memory& memory) noexcept : layers(memory) {}
+    explicit Shading(base::Memory& memory) noexcept : layers(memory), lines(memory) {}
 
     base::List<LayerShading> layers; // an element for each layer of the set
     // For each light of the style: the number of its shadow in `visible`, or -1 if it casts none.
     std::array<std::int32_t, most_lights> shadow{-1, -1, -1, -1, -1, -1, -1, -1};
     std::int32_t shadows = 0;
+    base::List<curves::FoundLines> lines; // the borders of shadows on the item, in its coordinates
 
     // Returns the shares of marks, beginning with a place in the order of the blocks.
     [[nodiscard]] LightShares in_blocks(std::int64_t layer, std::int64_t first_place) const noexcept;
@@ -47,17 +50,22 @@ struct Shading {
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };
 
-// A mesh that casts shadows.
+// A surface that casts shadows.
 struct Caster {
     const curves::SurfaceMesh* mesh;
     glm::dmat4 to_world;
+    const curves::LineSet* lines = nullptr; // the line set of the mesh; null: borders of its shadows are not found
 };
 
 struct Casters {
     geometry::Bvh tree; // in world space
     double cell;        // the longest side of a cell of the meshes, in world units
     double diagonal;    // the diagonal of the box around the meshes, in world units
+    base::Array<Caster> caster;
+    base::Array<std::int64_t> first_face; // for each caster: the number of its first face in the tree
+    base::Array<geometry::Bounds> bounds; // for each caster: the box around its mesh in the world
 };
+// The meshes and the line sets must outlive the result.
 [[nodiscard]] Casters casters_of(const base::Work& work, std::span<const Caster> casters);
 
 struct ShadingSettings {
@@ -71,8 +79,11 @@ struct ShadedItem {
     const marks::PointSet* set;
     glm::dmat4 to_world;
     std::span<const LightStyle> lights;
-    glm::dmat4 view; // from world space to eye space
+    glm::dmat4 view;                        // from world space to eye space
+    const curves::LineSet* lines = nullptr; // the line set of the surface; null: no borders of shadows are found
 };
+// Returns a light in world space. A direction has the length 1.
+[[nodiscard]] light::Lamp lamp_of(const LightStyle& style, const ShadedItem& item, std::int32_t rays) noexcept;
 [[nodiscard]] Shading find_shading(const base::Work& work, const Casters& casters, const ShadedItem& item,
                                    const ShadingSettings& settings);
 

@@ -37,6 +37,44 @@ struct SceneTuning {
     // shadows. Larger: no spots where a mesh lies above the surface, but light leaks where surfaces touch.
     double shading_offset = 0.25;
 
+    // ---- Borders of shadows. A cell is the side of a cell of the mesh on which lines are found.
+
+    // For models with creases, a light is moved to one side by this angle, in radians, so that it grazes no face.
+    // Larger: borders move visibly.
+    double light_offset = 2e-5;
+    // Rays that touch an outline begin this far beside it, in cells. Larger: fewer rays meet the mesh of their own
+    // surface, but borders end farther from the things that hide them.
+    double shadow_offset = 0.05;
+    // Where a ray meets the mesh of its own surface within this distance, in cells, the exact surface decides whether
+    // it is met. Larger: more evaluations.
+    double shadow_near = 4.0;
+    // A ray meets its own surface only beyond this distance, in cells. Larger: gaps where a cast shadow begins.
+    double shadow_start = 1e-3;
+    // A ray passes at most this many places where a mesh is met and its surface is not. Larger: more time.
+    int shadow_tries = 16;
+    // Newton's method for the place where a shadow falls ends after a step shorter than `shadow_tolerance`, or after
+    // `shadow_steps` steps. The place is at most `shadow_farthest` from the mesh along the ray. In cells. Larger
+    // tolerances: rough borders. More steps: fewer gaps where light grazes the surface.
+    double shadow_tolerance = 1e-6;
+    int shadow_steps = 16;
+    double shadow_farthest = 4.0;
+    // Two points of a border are linked if they are at most `longest_border` cells apart and if the line turns by less
+    // than 0.15 radians at either, given as a cosine. Larger: corners are cut, and borders jump between parts.
+    double longest_border = 1.5;
+    double straight_border = 0.9888;
+    // Points closer than this, in cells, are linked in any case. If the line turns there by more than 25 degrees, given
+    // as a cosine, it has a corner. Larger: borders jump across small steps.
+    double shortest_border = 0.02;
+    double border_corner = 0.906;
+    // Points are added until the parts of outlines between them are shorter than this share of a traced piece. Smaller:
+    // ends are more exact, more rays.
+    double least_share = 1e-3;
+    // Ends of borders within this distance, in cells, are joined.
+    double border_gap = 0.1;
+    // Borders are left out if they and those that they are joined with are shorter than this, in diagonals of all
+    // casters. Larger: less noise on rough surfaces, but small shadows are lost.
+    double shortest_shadow = 0.01;
+
     // The distance between splats in pixels, if a layer has enough marks. The second constant is for splats near the
     // contour. Larger: less time, but small features are missed.
     float splat_spacing = 6.0F;
