@@ -125,6 +125,8 @@ GROUPS = {
         number("black_point", "style.tone_black", "X", "light that is drawn as black (default: 0)"),
         number("white_point", "style.tone_white", "X", "light that is drawn as white (default: 1)"),
         number("gamma", "style.tone_gamma", "X", "exponent of the tone law; larger is darker mid-tones (default: 1)"),
+        Option("ground", "", "ground", "HEIGHT", "ground under the object, on which only the shadow is drawn: at the lowest "
+               "place of the object, or with =HEIGHT at that height (default: none)"),  # fmt: skip
         Option("depth_range", "", "interval", "MIN,MAX", "distances from the camera between which marks fade out, with "
                "0 < MIN < MAX (default: they do not)"),  # fmt: skip
         number("zoom_reference", "style.zoom_reference", "X", "pixels per unit of the model from which all marks are "

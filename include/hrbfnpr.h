@@ -3683,6 +3683,16 @@ enum {
     HRBFNPR_PICTURE_SIDES_BOTH = 2   /* both sides (HRBFNPR_SIDES_BOTH) */
 };
 
+/* The ground of a picture: a plane under the object, on which only what darkens it is drawn, which is cast shadows and
+ * the sky that the object hides.  Its marks are a layer named "ground", of stipples or hatching as the style draws.  Open
+ * ground is white.  It casts no shadow and hides nothing.  If no light of the style casts shadows, the first one casts
+ * them on the ground, and only there.  The ground is not drawn by cameras below it. */
+enum {
+    HRBFNPR_PICTURE_GROUND_NONE = 0,   /* no ground */
+    HRBFNPR_PICTURE_GROUND_LOWEST = 1, /* at the lowest place of the object along the up direction */
+    HRBFNPR_PICTURE_GROUND_HEIGHT = 2  /* at ground_height along the up direction */
+};
+
 /* How notes and errors write the options that they name. */
 enum {
     HRBFNPR_WORDING_FIELDS = 0,   /* as fields of a descriptor: samples 400 */
@@ -3860,7 +3870,8 @@ enum {
     HRBFNPR_NOTE_MESH_OPEN = 74,              /* a mesh is open [borders, their edges] */
     HRBFNPR_NOTE_SEVERAL_PARTS = 75,          /* a mesh has several parts [parts] */
     HRBFNPR_NOTE_NOT_USABLE = 76,             /* a source cannot be drawn; the text says why [] */
-    HRBFNPR_NOTE_PALETTE_CHOSEN = 79          /* inks are chosen from the colours of the source [inks] */
+    HRBFNPR_NOTE_NO_GROUND = 77,              /* no ground is drawn; the text says why [] */
+    HRBFNPR_NOTE_PALETTE_CHOSEN = 78          /* inks are chosen from the colours of the source [inks] */
 };
 
 /* A note: something that was chosen, repaired, left out or measured, or that may be wrong. */
@@ -3990,6 +4001,12 @@ typedef struct hrbfnpr_picture_desc {
 
     hrbfnpr_picture_event_fn on_event; /* gets events for as long as the picture lives; default NULL */
     void* event_user;                  /* passed to on_event; it must outlive the picture */
+
+    /* Ground. */
+    uint32_t ground;     /* whether the picture has a ground, and where, HRBFNPR_PICTURE_GROUND_...; default NONE */
+    uint32_t reserved;
+    double ground_height; /* height of the ground with GROUND_HEIGHT, along the unit vector of the up direction, in units
+                             of the source; default 0 */
 } hrbfnpr_picture_desc;
 
 /* Sets struct_size and all defaults. */
@@ -4164,7 +4181,8 @@ typedef struct hrbfnpr_picture_part {
 
 /* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_part_init(hrbfnpr_picture_part* part, uint32_t struct_size);
-/* Gets one surface of a picture.  `number` is 0 .. hrbfnpr_picture_info.parts - 1; the largest surface is 0.
+/* Gets one surface of a picture.  `number` is 0 .. hrbfnpr_picture_info.parts - 1; the largest surface is 0.  The last
+ * one is the ground, if the picture has one.
  * Errors: INVALID_ARGUMENT (no such part). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_part(const hrbfnpr_picture* picture, int64_t number,
                                                     hrbfnpr_picture_part* part, hrbfnpr_error* error);

@@ -52,7 +52,8 @@ void copy(const glm::dvec3& from, double (&to)[3]) noexcept {
 hrbfnpr_picture_info described(const hrbfnpr_picture& picture) {
     hrbfnpr_picture_info info{};
     info.preset = picture.options.desc.preset;
-    info.parts = static_cast<std::int64_t>(std::max(picture.surfaces().list.size(), picture.parts.size()));
+    info.parts = static_cast<std::int64_t>(std::max(picture.surfaces().list.size(), picture.parts.size())) +
+                 (picture.ground ? 1 : 0);
     info.marks = picture.mark_count();
     info.notes = static_cast<std::int64_t>(picture.report.notes.size());
     info.stages = static_cast<std::int64_t>(picture.report.stages.size());
@@ -73,6 +74,11 @@ hrbfnpr_picture_info described(const hrbfnpr_picture& picture) {
 hrbfnpr_picture_part part_of(const hrbfnpr_picture& picture, std::int64_t number) {
     hrbfnpr_picture_part to{};
     const picture::Surfaces& surfaces = picture.surfaces();
+    if (picture.ground && number == static_cast<std::int64_t>(picture.parts.size())) {
+        to.model = picture.ground->model.get();
+        to.point_set = picture.ground->marks.get();
+        return to;
+    }
     if (!surfaces.list.empty()) {
         const picture::Surface& surface = element(surfaces.list, number, "parts");
         to.model = surface.model.get();
@@ -101,7 +107,7 @@ hrbfnpr_camera look(const hrbfnpr_picture& picture, const double* direction, dou
         if (!std::isnan(azimuth)) view.azimuth = azimuth;
         if (!std::isnan(elevation)) view.elevation = elevation;
     }
-    return picture::camera_for(view, picture.bounds(), picture.surfaces().places, picture.options.is_find());
+    return picture::camera_of_view(picture, view, false);
 }
 
 hrbfnpr_camera orbit(const hrbfnpr_picture& picture, double degrees) {

@@ -51,6 +51,7 @@ public:
         if (std::isnan(desc.viewpoint[0])) return std::nullopt;
         return glm::dvec3(desc.viewpoint[0], desc.viewpoint[1], desc.viewpoint[2]);
     }
+    [[nodiscard]] bool wants_ground() const noexcept { return desc.ground != HRBFNPR_PICTURE_GROUND_NONE; }
     // Returns whether a change or the settings give a value to a field of the fit, such as "kernel".
     [[nodiscard]] bool gives_fit(std::string_view field) const noexcept;
 

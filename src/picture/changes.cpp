@@ -16,9 +16,11 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// In a path, this name means all layers: "style.layers.F" changes the field F of every layer.
+// In a path, these names mean all layers, all lines, and the layer of the ground: "style.layers.F" changes the field F
+// of every layer.
 constexpr std::string_view layers_part = "layers";
 constexpr std::string_view lines_part = "lines";
+constexpr std::string_view ground_part = "ground";
 
 // Texts that change several fields.
 enum class Special : std::uint8_t { none, ink, ambient, palette, field, direction_field };
@@ -73,7 +75,8 @@ struct ChangeTarget {
             const std::string_view kind = rest.substr(0, second);
             target.record = target.is_of_style ? Record::layer_style : Record::layer_desc;
             rest = rest.substr(second + 1);
-            const bool is_of_layers = kind == layers_part || is_layer_kind(kind, target.is_of_style);
+            const bool is_of_layers =
+                kind == layers_part || kind == ground_part || is_layer_kind(kind, target.is_of_style);
             if (target.is_of_style && !is_of_layers && (kind == lines_part || is_line_kind(kind)))
                 target.record = Record::line_style;
             else if (!is_of_layers)
@@ -110,7 +113,7 @@ struct ChangeTarget {
     const NamedField* const kinds = find_field(target.is_of_style ? Record::layer_style : Record::layer_desc, "kind");
     String known(&pool);
     for (const NamedConstant& kind : choices_of(*kinds)) (known += kind.name) += ", ";
-    known += layers_part;
+    ((known += layers_part) += ", ") += ground_part;
     if (target.is_of_style) (known += ", ") += lines_part;
     if (target.is_of_style)
         for (const NamedConstant& kind : choices_of(*find_field(Record::line_style, "kind")))

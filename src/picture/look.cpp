@@ -355,6 +355,27 @@ hrbfnpr_camera camera_for(const View& view, const geometry::Bounds& bounds, cons
     });
 }
 
+hrbfnpr_camera with_depth_of(const hrbfnpr_camera& camera, const Points& places) noexcept {
+    HRBFNPR_ASSERT(camera.depth_convention == HRBFNPR_DEPTH_NEGATIVE_ONE_TO_ONE);
+    const CameraMatrix view = matrix_of(camera.view);
+    hrbfnpr_camera result = camera;
+    const double a = camera.projection[10];
+    const double b = camera.projection[14];
+    const bool is_perspective = camera.projection[11] != 0.0;
+    double nearest = is_perspective ? b / (a - 1.0) : (b + 1.0) / a;
+    double farthest = is_perspective ? b / (a + 1.0) : (b - 1.0) / a;
+    const double least = look_tuning.nearest_plane * nearest;
+    for (const glm::dvec3& place : places) {
+        const double depth = -matrix_product(view, place).z;
+        nearest = std::min(nearest, is_perspective ? std::max(depth, least) : depth);
+        farthest = std::max(farthest, depth);
+    }
+    const double range = farthest - nearest;
+    result.projection[10] = is_perspective ? -(farthest + nearest) / range : -2.0 / range;
+    result.projection[14] = is_perspective ? -2.0 * farthest * nearest / range : -(farthest + nearest) / range;
+    return result;
+}
+
 glm::dvec3 direction_of_view(const glm::dvec3& up, double azimuth, double elevation) noexcept {
     const LookAxes axes = axes_of_view(up);
     const double around = azimuth * radians_of_degree;

@@ -64,6 +64,9 @@ struct View {
 [[nodiscard]] hrbfnpr_camera camera_for(const View& view, const geometry::Bounds& bounds, const Points& places,
                                         bool is_find);
 
+// Returns the camera with its near and far planes moved, where needed, so that the places lie between them.
+[[nodiscard]] hrbfnpr_camera with_depth_of(const hrbfnpr_camera& camera, const Points& places) noexcept;
+
 // Returns the direction from the eye into the scene. At azimuth 0, the eye is in front of the scene: on the +z side, or
 // on the -y side if z is up. The angles are in degrees.
 [[nodiscard]] glm::dvec3 direction_of_view(const glm::dvec3& up, double azimuth, double elevation) noexcept;

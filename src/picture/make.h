@@ -3,6 +3,7 @@
 #pragma once
 
 #include "picture/handles.h"
+#include "picture/look.h"
 
 #include <hrbfnpr.h>
 
@@ -17,6 +18,10 @@ namespace hrbfnpr::picture {
 // Draws a picture. If `camera` is null, uses the picture's planned camera, and throws if nothing can be seen.
 [[nodiscard]] hrbfnpr_drawing* draw_picture(hrbfnpr_picture& picture, const hrbfnpr_camera* camera,
                                             hrbfnpr_operation* operation);
+
+// Returns the camera for a view of a picture, which includes shadows on its ground. `for_orbit`: an orbit begins with
+// it.
+[[nodiscard]] hrbfnpr_camera camera_of_view(const hrbfnpr_picture& picture, const View& view, bool for_orbit);
 
 // Throws Error{invalid_argument} if the picture was made with the flag SURFACE_ONLY, and so has no plan for a drawing.
 void require_planned(const hrbfnpr_picture& picture);

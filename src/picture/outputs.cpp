@@ -130,8 +130,12 @@ void write_settings_of(hrbfnpr_picture& picture, hrbfnpr_write_fn write, void* u
     }
     Vector<hrbfnpr_line_desc> lines(&picture.pool);
     for (const LinesOnce& one : once) lines.push_back(one.view());
-    const PictureParts parts{picture.options.desc.preset, picture.camera, *picture.style,
-                             picture.marks ? &*picture.marks : nullptr, lines};
+    const PictureParts parts{picture.options.desc.preset,
+                             picture.camera,
+                             *picture.style,
+                             picture.marks ? &*picture.marks : nullptr,
+                             lines,
+                             picture.ground ? &picture.ground->style.layers.front() : nullptr};
     const WrittenSettings written = write_settings(picture.options, parts, picture.pool);
     api::CallbackWriter(write, user).write(written.json.data(), written.json.size());
     if (written.not_held.empty()) return;

@@ -3,6 +3,7 @@
 #include "picture/picture.h"
 
 #include "api/drawing.h"
+#include "api/line_set.h"
 #include "api/still.h"
 #include "base/clock.h"
 #include "picture/blank.h"
@@ -38,6 +39,7 @@ geometry::Bounds hrbfnpr_picture::bounds() const {
 std::int64_t hrbfnpr_picture::mark_count() const {
     std::int64_t count = 0;
     for (const picture::Part& part : parts) count += picture::mark_count_of(part.marks);
+    if (ground) count += picture::mark_count_of(ground->marks);
     return count;
 }
 
@@ -226,13 +228,18 @@ Vector<Part> place_marks(const hrbfnpr_picture& picture, const Call& call, bool 
     return parts;
 }
 
+// Tells whether the surfaces darken themselves or a ground.
+bool casts_shadows(const hrbfnpr_picture& picture) noexcept {
+    return picture.ground.has_value() || needs_shading(*picture.style);
+}
+
 void trace_lines(hrbfnpr_picture& picture, const Call& call, std::size_t i) {
     const Surface& surface = picture.surfaces().list[i];
     const Style& style = *picture.style;
     const bool is_mesh = surface.shape != nullptr && surface.shape->is_mesh();
     const Vector<WantedLine> wanted = wanted_lines(call, style, is_mesh);
     const Vector<LinesOnce> section = section_lines(call, surface.model, picture.camera);
-    picture.parts[i].lines = make_lines(call, surface, style, wanted, section, needs_shading(style));
+    picture.parts[i].lines = make_lines(call, surface, style, wanted, section, casts_shadows(picture));
 }
 
 // Traces the lines of all parts. Lines of a section are valid for this camera only.
@@ -243,7 +250,7 @@ void trace_all_lines(hrbfnpr_picture& picture, const Call& call) {
     const bool is_shared = !has_section(call.options);
     const String key = key_of_lines(call, *picture.style, wanted_lines(call, *picture.style, is_mesh));
     const bool is_drawn = picture.style->base.visibility != HRBFNPR_VISIBILITY_PUBLISHED &&
-                          (!picture.style->lines.empty() || needs_shading(*picture.style));
+                          (!picture.style->lines.empty() || casts_shadows(picture));
     if (is_shared && is_drawn) {
         if (const std::optional<Vector<Part>> before = find_made_lines(picture, key)) {
             for (std::size_t i = 0; i < picture.parts.size(); ++i) picture.parts[i].lines = (*before)[i].lines;
@@ -296,12 +303,62 @@ void finish(hrbfnpr_picture& picture) {
 }
 
 hrbfnpr_camera choose_camera(const hrbfnpr_picture& picture) {
-    const Options& options = picture.options;
-    const Points& places = picture.surfaces().places;
-    if (options.desc.turn != 0.0)
-        return first_camera(picture.view, picture.bounds(), places, options.desc.turn, options.desc.turn_frames,
-                            options.is_find());
-    return camera_for(picture.view, picture.bounds(), places, options.is_find());
+    return camera_of_view(picture, picture.view, picture.options.desc.turn != 0.0);
+}
+
+// ---- The ground
+
+// Finds where the ground is, before there is a camera. The lights do not depend on the size of the picture.
+void plan_ground(hrbfnpr_picture& picture, const Call& call, bool has_end) {
+    if (!picture.options.wants_ground()) return;
+    constexpr double any_side = 1000.0;
+    const Style style = plan_style(call, any_side, any_side, has_end);
+    if (style.base.visibility == HRBFNPR_VISIBILITY_PUBLISHED) {
+        call.report.note(HRBFNPR_NOTE_NO_GROUND, {},
+                         "no ground is drawn: it needs {visibility=depth-layers}, which finds shadows");
+        return;
+    }
+    const Surfaces& surfaces = picture.surfaces();
+    picture.ground.emplace(ground_of(picture.options, style, surfaces.up, surfaces.places));
+}
+
+// Returns the vertices of the meshes that cast shadows.
+Points casting_places(const hrbfnpr_picture& picture) {
+    Points places(&picture.pool);
+    for (const Part& part : picture.parts) {
+        if (!part.lines) continue;
+        const geometry::VecArray& vertices = part.lines.get()->lines.mesh().position;
+        for (std::int64_t i = 0; i < vertices.size(); ++i) places.push_back(vertices[i]);
+    }
+    return places;
+}
+
+// Calls place(call, plan, ground) with the plan for the ground's marks.
+template <class Place>
+void with_ground_plan(hrbfnpr_picture& picture, Place&& place) {
+    const Call call = picture.call();
+    const Points surface = casting_places(picture);
+    const std::span<const hrbfnpr_layer_desc> layers = picture.marks
+                                                           ? std::span<const hrbfnpr_layer_desc>(picture.marks->layers)
+                                                           : std::span<const hrbfnpr_layer_desc>();
+    const double pen = pen_of(call, picture.camera.viewport[2], picture.camera.viewport[3]);
+    place(call, GroundPlan{*picture.style, layers, surface, picture.camera, pen, picture.is_still()}, *picture.ground);
+}
+
+void make_ground(hrbfnpr_picture& picture, const Call& call) {
+    if (!picture.ground) return;
+    const char* why = "no ground is drawn: the camera sees it from below";
+    if (sees_ground(picture.camera, picture.ground->plane)) {
+        try {
+            with_ground_plan(picture, place_ground);
+            return;
+        } catch (const Error& error) {
+            if (error.status() != Status::not_converged) throw;
+            why = "no ground is drawn: its shadows are outside the picture";
+        }
+    }
+    picture.ground.reset();
+    call.report.note(HRBFNPR_NOTE_NO_GROUND, {}, why);
 }
 
 void plan_point_set(hrbfnpr_picture& picture, const Call& call) {
@@ -311,6 +368,8 @@ void plan_point_set(hrbfnpr_picture& picture, const Call& call) {
     if (lines != "none" && !lines.empty())
         call.report.note(HRBFNPR_NOTE_NO_LINES_OF_MARKS, {},
                          "no lines are drawn: they need a model, and this is a point set");
+    if (picture.options.wants_ground())
+        call.report.note(HRBFNPR_NOTE_NO_GROUND, {}, "no ground is drawn: it needs a model, and this is a point set");
     picture.style.emplace(plan_style(call, picture.camera.viewport[2], picture.camera.viewport[3], false));
     Part& part = picture.parts.emplace_back();
     part.marks = surfaces.marks;
@@ -324,6 +383,7 @@ void plan_surfaces(hrbfnpr_picture& picture, const Call& call) {
     const bool has_end = std::any_of(surfaces.list.begin(), surfaces.list.end(),
                                      [](const Surface& surface) { return is_trimmed(surface.model); });
     if (has_end) look_at_front(call, picture.view, surfaces.list.front().shape.get(), surfaces.probes);
+    plan_ground(picture, call, has_end);
     picture.camera = choose_camera(picture);
     const hrbfnpr_camera& camera = picture.camera;
     picture.style.emplace(plan_style(call, camera.viewport[2], camera.viewport[3], has_end));
@@ -344,6 +404,7 @@ void plan_surfaces(hrbfnpr_picture& picture, const Call& call) {
     }
     give_fields(picture, call);
     trace_all_lines(picture, call);
+    make_ground(picture, call);
 }
 
 void plan(hrbfnpr_picture& picture) {
@@ -381,6 +442,7 @@ void complete_marks(hrbfnpr_picture& picture) {
     if (!picture.is_still() || picture.parts.front().whole) return;
     const Vector<Part> placed = place_marks(picture, picture.call(), false);
     for (std::size_t i = 0; i < placed.size(); ++i) picture.parts[i].whole = placed[i].marks;
+    if (picture.ground) with_ground_plan(picture, complete_ground);
 }
 
 bool is_planned_camera(const hrbfnpr_picture& picture, const hrbfnpr_camera& camera) noexcept {
@@ -405,19 +467,43 @@ Vector<hrbfnpr_item> items_of(hrbfnpr_picture& picture, bool with_all_marks) {
     return items;
 }
 
-// Finds the light that reaches the marks, if the style needs that and it is not known for this camera.
-void shade(hrbfnpr_picture& picture, const hrbfnpr_camera& camera, bool with_all_marks) {
-    if (!needs_shading(*picture.style) || picture.parts.empty()) return;
-    const Vector<hrbfnpr_item> items = items_of(picture, with_all_marks);
-    const Call call = picture.call();
-    if (!picture.occluders) picture.occluders = make_occluders(call, items);
-    if (!picture.occluders) return;
-    ShadedMarks& shaded = with_all_marks ? picture.shaded_whole : picture.shaded;
-    const bool is_current = !shaded.of_part.empty() && (!shadows_follow_camera(*picture.style) ||
+// Returns the item of the ground, without its shading.
+hrbfnpr_item item_of_ground(const Ground& ground, bool with_all_marks) {
+    auto item = defaults<hrbfnpr_item>(hrbfnpr_item_init);
+    item.point_set = with_all_marks ? ground.whole.get() : ground.marks.get();
+    item.style = &ground.style_view;
+    return item;
+}
+
+bool draws_ground(const hrbfnpr_picture& picture, const hrbfnpr_camera& camera) {
+    return picture.ground && picture.occluders && sees_ground(camera, picture.ground->plane);
+}
+
+void shade_items(const hrbfnpr_picture& picture, const Call& call, std::span<const hrbfnpr_item> items,
+                 const Style& style, const hrbfnpr_camera& camera, ShadedMarks& shaded) {
+    const bool is_current = !shaded.of_part.empty() && (!shadows_follow_camera(style) ||
                                                         std::equal(camera.view, camera.view + 16, shaded.view.begin()));
     if (is_current) return;
     shaded.of_part = make_shadings(call, picture.occluders, items, camera, shaded.of_part);
     std::copy(camera.view, camera.view + 16, shaded.view.begin());
+}
+
+// Finds the light that reaches the marks, if the styles need that and it is not known for this camera.
+void shade(hrbfnpr_picture& picture, const hrbfnpr_camera& camera, bool with_all_marks) {
+    if (picture.parts.empty() || !casts_shadows(picture)) return;
+    const Vector<hrbfnpr_item> items = items_of(picture, with_all_marks);
+    const Call call = picture.call();
+    if (!picture.occluders) picture.occluders = make_occluders(call, items);
+    if (!picture.occluders) return;
+    if (needs_shading(*picture.style))
+        shade_items(picture, call, items, *picture.style, camera,
+                    with_all_marks ? picture.shaded_whole : picture.shaded);
+    if (!draws_ground(picture, camera)) return;
+    Ground& ground = *picture.ground;
+    set_ground_light(camera, ground);
+    const hrbfnpr_item item = item_of_ground(ground, with_all_marks);
+    shade_items(picture, call, {&item, 1}, ground.style, camera,
+                with_all_marks ? picture.shaded_whole_ground : picture.shaded_ground);
 }
 
 Drawing draw(hrbfnpr_picture& picture, const hrbfnpr_camera& camera, bool with_all_marks,
@@ -425,6 +511,10 @@ Drawing draw(hrbfnpr_picture& picture, const hrbfnpr_camera& camera, bool with_a
     Vector<hrbfnpr_item> items = items_of(picture, with_all_marks);
     const ShadedMarks& shaded = with_all_marks ? picture.shaded_whole : picture.shaded;
     for (std::size_t i = 0; i < shaded.of_part.size(); ++i) items[i].shading = shaded.of_part[i].get();
+    if (draws_ground(picture, camera)) {
+        items.push_back(item_of_ground(*picture.ground, with_all_marks));
+        items.back().shading = (with_all_marks ? picture.shaded_whole_ground : picture.shaded_ground).of_part[0].get();
+    }
     return make<Drawing>([&](hrbfnpr_drawing** made, hrbfnpr_error* error) {
         return hrbfnpr_renderer_draw_with_operation(picture.renderer.get(), items.data(),
                                                     static_cast<std::int64_t>(items.size()), sizeof(hrbfnpr_item),
@@ -475,6 +565,21 @@ hrbfnpr_picture* restyle_picture(const hrbfnpr_picture& of, const hrbfnpr_pictur
     if (of.surfaces().probes.empty() && !of.surfaces().marks)
         fail(Status::invalid_argument, "picture was made with HRBFNPR_PICTURE_SURFACE_ONLY; make it without");
     return made_by(of.context(), desc, &of.root(), operation, [](hrbfnpr_picture& picture) { plan(picture); });
+}
+
+hrbfnpr_camera camera_of_view(const hrbfnpr_picture& picture, const View& view, bool for_orbit) {
+    const Options& options = picture.options;
+    const Points& object = picture.surfaces().places;
+    const auto camera_that_sees = [&](const Points& places) {
+        if (!for_orbit) return camera_for(view, picture.bounds(), places, options.is_find());
+        return first_camera(view, picture.bounds(), places, options.desc.turn, options.desc.turn_frames,
+                            options.is_find());
+    };
+    const hrbfnpr_camera camera = camera_that_sees(object);
+    if (!picture.ground || view.camera) return camera;
+    Points places = framed_shadows(*picture.ground, camera, object, picture.pool);
+    places.insert(places.end(), object.begin(), object.end());
+    return with_depth_of(camera_that_sees(places), rim_of_ground(*picture.ground, object, picture.pool));
 }
 
 void require_planned(const hrbfnpr_picture& picture) {

@@ -10,12 +10,14 @@
 //   up.cpp, look.cpp    find the up direction and the camera
 //   plan.cpp            sizes the style for the picture, and plans the marks that fill its darkest tone
 //   lines.cpp           traces lines of the surface
+//   ground.cpp          finds the ground, and places its marks
 //   blank.cpp           checks whether anything can be seen
 //   plate.cpp, page.cpp add the scale bar and section, and put the drawing on paper
 //   report.cpp          reports all of it
 #pragma once
 
 #include "picture/call.h"
+#include "picture/ground.h"
 #include "picture/look.h"
 #include "picture/mark_fields.h"
 #include "picture/plan.h"
@@ -86,7 +88,7 @@ struct hrbfnpr_picture : hrbfnpr::api::Child {
         : Child(context), root_(root), settings_(desc.settings), pool(context.runtime.memory),
           options(desc, settings_ != nullptr ? settings_->settings : nullptr, pool),
           report(pool, desc.wording, desc.on_event, desc.event_user, context, nullptr), own_surfaces(pool),
-          parts(&pool), shaded(pool), shaded_whole(pool), made(&pool) {}
+          parts(&pool), shaded(pool), shaded_whole(pool), shaded_ground(pool), shaded_whole_ground(pool), made(&pool) {}
 
     [[nodiscard]] const hrbfnpr_picture& root() const noexcept { return root_ != nullptr ? *root_ : *this; }
     [[nodiscard]] const hrbfnpr::picture::Surfaces& surfaces() const noexcept { return root().own_surfaces; }
@@ -121,6 +123,8 @@ public:
     // style needs none.
     hrbfnpr::picture::Occluders occluders;
     hrbfnpr::picture::ShadedMarks shaded, shaded_whole;
+    std::optional<hrbfnpr::picture::Ground> ground; // empty if no ground is drawn
+    hrbfnpr::picture::ShadedMarks shaded_ground, shaded_whole_ground;
     hrbfnpr::picture::Renderer renderer;
     double pen = 0.0;
     double seconds = 0.0;

@@ -478,7 +478,9 @@ Marks plan_marks(const Call& call, const Style& style, double area, double pixel
     change_layers(call, layers, marks);
     if (!are_given) {
         // With the flag KEEP_MARKS, the number of marks is not reduced, because another style may draw them.
-        if (!is_published(options) && !options.has(HRBFNPR_PICTURE_KEEP_MARKS)) thin_unseen(layers, style);
+        // On a ground they hide the shadow evenly.
+        const bool is_thin = !options.has(HRBFNPR_PICTURE_KEEP_MARKS) && !options.wants_ground();
+        if (!is_published(options) && is_thin) thin_unseen(layers, style);
         fill_layers(call, layers, style,
                     {area, pixels_per_unit, static_cast<double>(std::max<std::int64_t>(centres, 1))});
         if (is_changed_by_caller(options.changes, "marks.tone_ranges") &&

@@ -419,6 +419,14 @@ constexpr std::string_view dab_keys[] = {"map", "position", "normal", "radius", 
     return dab;
 }
 
+// Reads where the ground is: true, or a height.
+void read_ground(const JsonValue& value, Settings& settings, Pool& pool) {
+    const bool is_said = value.kind() == JsonKind::boolean;
+    if (!is_said && !value.is_number()) refuse_value("ground", "true, false or a number", value, pool);
+    settings.has_ground = !is_said || value.magnitude() != 0;
+    if (!is_said) settings.ground_height = value.number();
+}
+
 // Reads all sections. A missing section counts as an empty object.
 void read_sections(const JsonValue& root, Settings& settings, Pool& pool) {
     const std::optional<JsonValue> marks = root.find("marks");
@@ -500,7 +508,7 @@ std::shared_ptr<const Settings> read_settings(std::string_view json, Pool& pool)
         fail(Status::invalid_argument, "hrbfnpr-settings: version 1 is needed, not %s",
              version->in_short(shown_of_wrong, pool).c_str());
     constexpr std::string_view keys[] = {settings_magic, "preset", "size",     "pen",      "camera", "style",
-                                         "marks",        "fit",    "mesh_fit", "line_set", "paint"};
+                                         "marks",        "fit",    "mesh_fit", "line_set", "paint",  "ground"};
     check_keys(root, "", keys, pool);
     auto settings = std::allocate_shared<Settings>(PoolAllocator<Settings>(&pool), pool);
     settings->preset = read_preset(root.find("preset"), pool);
@@ -509,6 +517,7 @@ std::shared_ptr<const Settings> read_settings(std::string_view json, Pool& pool)
     constexpr double largest_pen = 100.0;
     if (const std::optional<JsonValue> pen = root.find("pen"))
         settings->pen = read_number(*pen, "pen", 0.0, largest_pen, pool);
+    if (const std::optional<JsonValue> ground = root.find("ground")) read_ground(*ground, *settings, pool);
     read_sections(root, *settings, pool);
     return settings;
 }

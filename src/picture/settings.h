@@ -52,7 +52,9 @@ struct Settings {
     Vector<hrbfnpr_line_desc> lines;
     Vector<hrbfnpr_dab> dabs;
     std::optional<SavedCamera> saved_camera;
-    KeptTexts texts; // Owns the texts that `lines` points to.
+    bool has_ground = false;
+    std::optional<double> ground_height; // Without it, the ground is at the lowest place.
+    KeptTexts texts;                     // Owns the texts that `lines` points to.
 
     // Returns the camera for a picture of this size, or nullopt if the file has none. Throws Error{invalid_argument} if
     // the camera is impossible.
@@ -65,10 +67,11 @@ struct Settings {
 // The parts of a picture that settings store, besides its options.
 struct PictureParts {
     std::uint32_t preset;
-    const hrbfnpr_camera& camera;             // the planned camera; its viewport is the whole picture
-    const Style& style;                       // the style as planned, in pixels of this picture
-    const Marks* marks;                       // the marks as planned; null if none were made
-    std::span<const hrbfnpr_line_desc> lines; // the lines that are found once, except the caller's own lines
+    const hrbfnpr_camera& camera;                // the planned camera; its viewport is the whole picture
+    const Style& style;                          // the style as planned, in pixels of this picture
+    const Marks* marks;                          // the marks as planned; null if none were made
+    std::span<const hrbfnpr_line_desc> lines;    // the lines that are found once, except the caller's own lines
+    const hrbfnpr_layer_style* ground = nullptr; // the layer of the ground; null without a ground
 };
 
 struct WrittenSettings {

@@ -94,6 +94,9 @@ struct LookTuning {
     double elevation = 20.0;
     // The vertical angle of view, in degrees. Larger: the camera stands nearer, and the perspective is stronger.
     double field_of_view = 30.0;
+    // The near plane moves towards the eye for places of the ground, but no nearer than to this share of its distance.
+    // Larger: the ground may be cut before the object.
+    double nearest_plane = 0.05;
     // This share of a picture is empty on each side. Larger: the object is smaller in the picture.
     double margin = 0.05;
     // An open surface has a front if the component of its mean normal perpendicular to the up axis is longer than this.

@@ -127,8 +127,12 @@ void write_style(JsonDocument& to, const PictureParts& parts, Pool& pool) {
         write_changed(to, *find_field(Record::style, name), &style, &base.base, true);
     });
     to.key("layers").begin(JsonKind::list);
+    const auto base_layer = defaults<hrbfnpr_layer_style>(hrbfnpr_layer_style_init);
+    // The layer of the ground comes first, because a layer takes the first style that is for it.
+    if (parts.ground != nullptr) write_kind_style(to, Record::layer_style, *parts.ground, base_layer);
     for (const hrbfnpr_layer_style& layer : parts.style.layers)
-        write_kind_style(to, Record::layer_style, layer, defaults<hrbfnpr_layer_style>(hrbfnpr_layer_style_init));
+        if (!(parts.ground != nullptr && layer.name != nullptr && std::strcmp(layer.name, parts.ground->name) == 0))
+            write_kind_style(to, Record::layer_style, layer, base_layer);
     to.end();
     to.key("lines").begin(JsonKind::list);
     for (const hrbfnpr_line_style& line : parts.style.lines)
@@ -402,7 +406,10 @@ WrittenSettings write_settings(const Options& options, const PictureParts& parts
     write_list(document, "view", parts.camera.view);
     write_list(document, "projection", parts.camera.projection);
     document.end();
-    write_style(document, parts, pool);
+    if (options.desc.ground == HRBFNPR_PICTURE_GROUND_LOWEST) document.key("ground").add_bool(true);
+    if (options.desc.ground == HRBFNPR_PICTURE_GROUND_HEIGHT)
+        write_number(document.key("ground"), options.desc.ground_height, false);
+    write_style(document, options, parts, pool);
     if (parts.marks != nullptr) write_marks(document, options, *parts.marks, pool);
     write_fit(document, options, pool);
     write_mesh_fit(document, options, pool);

@@ -44,6 +44,18 @@ namespace HrbfNpr
         Both = 2,
     }
 
+    /// <summary>The ground of a picture, on which only the object's shadow is drawn.</summary>
+    [NativeConstants("HRBFNPR_PICTURE_GROUND_")]
+    public enum PictureGround
+    {
+        /// <summary>No ground (default).</summary>
+        None = 0,
+        /// <summary>At the lowest place of the object along the up direction.</summary>
+        Lowest = 1,
+        /// <summary>At a given height along the up direction.</summary>
+        Height = 2,
+    }
+
     /// <summary>How notes and errors write the options that they name.</summary>
     [NativeConstants("HRBFNPR_WORDING_")]
     public enum Wording
@@ -336,6 +348,8 @@ namespace HrbfNpr
         SeveralParts = 75,
         /// <summary>A source cannot be drawn; the text says why.</summary>
         NotUsable = 76,
+        /// <summary>No ground is drawn; the text says why.</summary>
+        NoGround = 77,
     }
 
     /// <summary>Where views stand [ISO 5456-2].</summary>

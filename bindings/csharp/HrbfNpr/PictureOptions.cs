@@ -281,6 +281,17 @@ namespace HrbfNpr
         /// <summary>Angle by which all lines of hatching are turned, in degrees; -360 to 360; default 0.</summary>
         public double HatchAngle { get; set; }
 
+        /// <summary>
+        /// Whether the picture has a ground, on which only the object's shadow is drawn, and where; default None.
+        /// </summary>
+        public PictureGround Ground { get; set; }
+
+        /// <summary>
+        /// Height of the ground with <see cref="PictureGround.Height"/>, along the up direction, in units of the source;
+        /// default 0.
+        /// </summary>
+        public double GroundHeight { get; set; }
+
         /// <summary>Kinds of lines with commas between; "none" = no lines; default null = those of the style.</summary>
         /// <remarks>
         /// The kinds are contour, suggestive, ridges, valleys, apparent, parabolic, isophotes=0.3:0.6, section=z:20,
@@ -394,6 +405,8 @@ namespace HrbfNpr
             desc.mark_kinds = pins.Text(MarkKinds);
             desc.seed_points = SeedPoints.ToNative(pins, 3, nameof(SeedPoints));
             desc.hatch_angle = HatchAngle;
+            desc.ground = (uint)Ground;
+            desc.ground_height = GroundHeight;
             desc.lines = pins.Text(Lines);
             desc.scale_bar = pins.Text(ScaleBar);
             var nothing = new Vector3d(double.NaN, double.NaN, double.NaN);

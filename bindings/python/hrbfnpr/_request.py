@@ -208,8 +208,13 @@ def _set_random_seed(desc: Any, value: int, keep: List[Any]) -> List[Tuple[str, 
     return [("marks.random_seed", str(value))]
 
 
+def _set_ground(desc: Any, value: Any, keep: List[Any]) -> None:
+    desc.ground = constant("PICTURE_GROUND_LOWEST" if value == "lowest" else "PICTURE_GROUND_HEIGHT")
+    desc.ground_height = 0.0 if value == "lowest" else value
+
+
 _SPECIAL: Dict[str, Any] = {
-    "size": _set_size, "edges": _set_edges, "normals": _set_normals, "seed_points": _set_seed_points,
+    "size": _set_size, "edges": _set_edges, "ground": _set_ground, "normals": _set_normals, "seed_points": _set_seed_points,
     "random_seed": _set_random_seed,
     "depth_range": lambda desc, value, keep: [("style.depth_min", repr(value[0])), ("style.depth_max", repr(value[1]))],
     "set": lambda desc, value, keep: list(value),
@@ -319,7 +324,7 @@ _IN_WORDS = {
     "flag": "bool", "number": "float", "count": "int", "text": "str", "vector": "(x, y, z)", "direction": "(x, y, z) or str",
     "up": "(x, y, z) or str", "paint": "(r, g, b, a) or str", "size": "(width, height) or int", "layers": "str or sequence of str",
     "lines": "str or sequence of str", "per_layer": "int, or mapping of str to int", "interval": "(low, high)",
-    "edges": "str or float", "number_or_auto": "float or str", "count_or_auto": "int or str",
+    "edges": "str or float", "ground": "bool or float", "number_or_auto": "float or str", "count_or_auto": "int or str",
     "assignment": "mapping of str", "file": "path", "page": "(width, height) or str", "pens": "str",
     "pen_widths": "sequence of float", "fields": "str, sequence of str, or mapping of str to str",
     "palette": "str or sequence of colours",

@@ -123,6 +123,16 @@ def interval(text: str) -> Tuple[float, float]:
     return low, high
 
 
+def ground(text: str) -> Union[str, float, None]:
+    """Where the ground is: "lowest", or its height; None: nowhere."""
+    if text.lower() in ("lowest", "true", "false", "none"):
+        return "lowest" if text.lower() in ("lowest", "true") else None
+    try:
+        return number(text)
+    except argparse.ArgumentTypeError:
+        raise wrong(f"lowest or the height of the ground is needed, not {text!r}") from None
+
+
 def size(text: str) -> Union[int, Tuple[int, int]]:
     """WIDTHxHEIGHT, or the longer side alone."""
     parts = text.lower().split("x")
@@ -230,7 +240,7 @@ def assignment(text: str) -> Tuple[str, str]:
     """FIELD=VALUE or LAYER.FIELD=VALUE, as the path of a change and its value."""
     name, equals, value = text.partition("=")
     layer, _, field = name.rpartition(".")
-    if not equals or (layer and layer not in LAYER_KINDS):
+    if not equals or (layer and layer not in (*LAYER_KINDS, "ground")):
         raise wrong(f"FIELD=VALUE or LAYER.FIELD=VALUE is needed, not {text!r}")
     fields = tuple(one for one in (LayerStyle.fields() if layer else Style.fields()) if one != "kind")
     if field not in fields:
@@ -315,7 +325,7 @@ def pen_widths(text: str) -> List[float]:
 _PARSERS: Dict[str, Callable[[str], Any]] = {
     "number": number, "vector": vector, "direction": direction, "up": up, "paint": paint, "size": size, "layers": layers,
     "per_layer": per_layer, "lines": lines, "interval": interval, "edges": edges, "text": str, "file": str,
-    "number_or_auto": or_auto(number, "auto"), "assignment": assignment, "page": page, "pens": pens,
+    "number_or_auto": or_auto(number, "auto"), "assignment": assignment, "ground": ground, "page": page, "pens": pens,
     "pen_widths": pen_widths, "fields": fields, "palette": palette,
 }  # fmt: skip
 

@@ -48,7 +48,9 @@ class Parser(argparse.ArgumentParser):
         # argparse mistakes the value "-1,0,0" for an option.  Join it with the option before, as --option=-1,0,0.
         given: List[str] = []
         for word in sys.argv[1:] if args is None else args:
-            if given and given[-1].startswith("--") and "=" not in given[-1] and re.match(r"-[\d.]|-[xyz](:|$)", word):
+            if word == "--ground":  # its value is optional, and may stand before a file
+                given.append("--ground=lowest")
+            elif given and given[-1].startswith("--") and "=" not in given[-1] and re.match(r"-[\d.]|-[xyz](:|$)", word):
                 given[-1] += "=" + word
             else:
                 given.append(word)
