@@ -1000,6 +1000,9 @@ enum {
     HRBFNPR_RAY_NOT_FINITE = 4       /* f or its gradient is not finite; earlier hits are kept */
 };
 
+/* The lines of one model, and its mesh. */
+typedef struct hrbfnpr_line_set hrbfnpr_line_set;
+
 /* How rays are cast. */
 typedef struct hrbfnpr_cast_desc {
     uint32_t struct_size;
@@ -1014,6 +1017,11 @@ typedef struct hrbfnpr_cast_desc {
     double smallest_step;    /* smallest step along a ray, in diagonals; above 0, at most 0.1; default 1e-4.  Smaller
                                 steps find thinner sheets and take more time */
     double tolerance;        /* accuracy of the place of a hit along its ray, in diagonals; above 0; default 1e-9 */
+    const hrbfnpr_line_set* line_set; /* a line set of this model, whose mesh the rays meet first; default NULL = rays
+                                         are searched without a mesh.  It is read only during the call */
+    uint32_t refine;         /* 1 = the hits on the mesh are moved along their rays to f = 0; 0 = they stay on the mesh,
+                                with the mean normals of its corners.  Used with line_set; default 1 */
+    uint32_t reserved2;
 } hrbfnpr_cast_desc;
 
 /* Sets every field to its default. */
@@ -1052,6 +1060,14 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_ray_hits_init(hrbfnpr_ray_hits* hits, uint32_
  * It finds the same hits within the tolerance.  The last bits depend on whether n is
  * enough for that, but not on the other rays or on earlier calls.
  *
+ * With line_set, each ray first meets the mesh of the line set, whose box tree is made
+ * in the first such call.  Newton's method then moves the hits to f = 0, as
+ * hrbfnpr_model_evaluate computes it (refine 1).  If a hit does not lead there within a
+ * cell of the mesh, its ray is searched as without a mesh.  Parts of the surface that the
+ * mesh does not have are missed: those smaller than a cell, and those where a ray passes
+ * between the surface and its mesh, near its outline.  lipschitz, smallest_step and
+ * evaluation_limit are used only for the rays that are searched.
+ *
  * origins:      n x 3, FLOAT32 or FLOAT64, finite
  * directions:   n x 3, FLOAT32 or FLOAT64, finite, of any length but 0
  * desc:         NULL = all defaults
@@ -1059,7 +1075,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_ray_hits_init(hrbfnpr_ray_hits* hits, uint32_
  * operation:    may be NULL
  *
  * Errors: INVALID_ARGUMENT: NaN, infinity, a zero direction, different counts of
- * origins and directions, or a direction so short that the t of a hit is infinite. */
+ * origins and directions, a direction so short that the t of a hit is infinite, or a
+ * line_set of another model. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, const hrbfnpr_array* origins,
                                                    const hrbfnpr_array* directions, const hrbfnpr_cast_desc* desc,
                                                    hrbfnpr_ray_hits* hits, hrbfnpr_operation* operation,
@@ -1817,9 +1834,6 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* contex
  * 2019).  Make a line set once for a model and give it to hrbfnpr_item.line_set.  An item that has a line set, and a
  * style that lists `lines`, is drawn with curves.  The method is described in docs/how-lines-work.md.
  */
-
-/* The lines of one model. */
-typedef struct hrbfnpr_line_set hrbfnpr_line_set;
 
 /* Kinds of lines.  Kinds marked "once" are found when the line set is made, for each element of
  * hrbfnpr_line_set_desc.lines.  BORDER and CREASE are found then, too, without an element.  All others are found for

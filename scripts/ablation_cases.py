@@ -385,8 +385,10 @@ def rays(kept: Kept) -> Result:
     along = np.cross(shape.normals[at], random.normal(size=(20000, 3)))
     starts = shape.points[at] + shape.normals[at] * random.uniform(-0.01, 0.01, size=(20000, 1)) - along
     grazing = model.cast_rays(starts, along, maximum_hits=8)
+    on_mesh = model.cast_rays(starts, along, maximum_hits=8, line_set=hrbfnpr.LineSet(model))
     return {"seen.hits": float(seen.hits.sum()), "grazing.hits": float(grazing.hits.sum()),
-            "seen.t": np.round(seen.t, 6).tobytes(), "grazing.t": np.round(grazing.t, 6).tobytes()}  # fmt: skip
+            "seen.t": np.round(seen.t, 6).tobytes(), "grazing.t": np.round(grazing.t, 6).tobytes(),
+            "on_mesh.t": np.round(on_mesh.t, 12).tobytes()}  # fmt: skip
 
 
 @case

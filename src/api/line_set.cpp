@@ -222,6 +222,18 @@ hrbfnpr_line_set::hrbfnpr_line_set(hrbfnpr_context& context, const hrbfnpr_model
 
 hrbfnpr_line_set::~hrbfnpr_line_set() { api::release_handle(&model); }
 
+const curves::RayMesh& hrbfnpr_line_set::ray_mesh(const base::Progress& progress) const {
+    {
+        const std::scoped_lock lock(preparing_);
+        if (ray_mesh_ != nullptr) return *ray_mesh_;
+    }
+    // No lock is held, because the caller's callbacks run here. If two threads make it, their results are equal.
+    auto made = std::make_unique<curves::RayMesh>(base::Work(runtime(), progress.part(0.0, 0.0)), lines.mesh());
+    const std::scoped_lock lock(preparing_);
+    if (ray_mesh_ == nullptr) ray_mesh_ = std::move(made);
+    return *ray_mesh_;
+}
+
 extern "C" {
 
 hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size) {

@@ -3,10 +3,13 @@
 #include "api/barrier.h"
 #include "api/descriptor.h"
 #include "api/fields.h"
+#include "api/line_set.h"
 #include "api/model.h"
 #include "api/operation.h"
 #include "api/queries.h"
+#include "curves/mesh_rays.h"
 #include "surface/cast_rays.h"
+#include "surface/ray_range.h"
 #include "surface/region.h"
 
 using namespace hrbfnpr;
@@ -36,7 +39,10 @@ constexpr auto cast_fields() noexcept {
         field("t_max", &Cast::t_max, &RaySettings::t_max, rule::Any{}),
         field("lipschitz", &Cast::lipschitz, &RaySettings::lipschitz, rule::not_negative),
         field("smallest_step", &Cast::smallest_step, &RaySettings::smallest_step, rule::PositiveUpTo{0.1}),
-        field("tolerance", &Cast::tolerance, &RaySettings::tolerance, rule::Positive{})};
+        field("tolerance", &Cast::tolerance, &RaySettings::tolerance, rule::Positive{}),
+        field("line_set", &Cast::line_set, rule::Any{}),
+        field("refine", &Cast::refine, rule::Any{}),
+        reserved("reserved2", &Cast::reserved2)};
 }
 static_assert(cast_fields().covers<Cast>());
 
@@ -46,6 +52,7 @@ template <>
 hrbfnpr_cast_desc defaults() noexcept {
     hrbfnpr_cast_desc desc{};
     cast_fields().set_defaults(RaySettings{}, desc);
+    desc.refine = 1;
     return desc;
 }
 
@@ -59,8 +66,11 @@ namespace {
 // The largest number of points in a block; for rays, the largest number of hits in a block.
 constexpr std::int64_t rays_at_once = 65536;
 
-RaySettings checked(const hrbfnpr_cast_desc& desc) {
+RaySettings checked(const hrbfnpr_cast_desc& desc, const hrbfnpr_model& model) {
     cast_fields().check("cast_desc", desc);
+    Checks("cast_desc").zero_or_one("refine", desc.refine);
+    if (desc.line_set != nullptr && &desc.line_set->model != &model)
+        fail(Status::invalid_argument, "cast_desc.line_set was made for another model; give a line set of this model");
     if (!(desc.t_max >= desc.t_min))
         fail(Status::invalid_argument, "cast_desc.t_max is %g; it must be at least t_min, which is %g", desc.t_max,
              desc.t_min);
@@ -101,33 +111,107 @@ void write_ray(const surface::RayHits& block, std::int64_t i, std::int64_t maxim
     }
 }
 
-// Casts rays and writes their hits. Returns the number of rays that have a hit.
-std::int64_t cast_rays(const hrbfnpr_model& model, const Queries& origins, const Queries& directions,
-                       surface::RaySettings settings, const RayOutputs& out, const base::Progress& progress) {
-    const base::Runtime& runtime = model.runtime();
-    // A caller who gives a bound asks for steps of |f| / L.
-    const surface::RayCells* const cells =
-        settings.lipschitz == 0.0 ? model.ray_cells_for(origins.count(), progress) : nullptr;
-    const bool estimate = settings.lipschitz == 0.0 && origins.count() > 0 && cells == nullptr;
-    if (estimate)
-        settings.lipschitz = surface::lipschitz_estimate({runtime, progress.part(0.0, 0.1)}, model.implicit());
+// Casts rays without a mesh.
+class RaySearch {
+public:
+    RaySearch(const hrbfnpr_model& model, const surface::RaySettings& settings) noexcept
+        : model_(model), settings_(settings) {}
+
+    // Prepares the search for a number of rays, unless it is prepared.
+    void prepare(std::int64_t rays, const base::Progress& progress) {
+        if (prepared_ || rays == 0) return;
+        prepared_ = true;
+        // A caller who gives a bound asks for steps of |f| / L.
+        if (settings_.lipschitz > 0.0) return;
+        cells_ = model_.ray_cells_for(rays, progress);
+        if (cells_ == nullptr)
+            settings_.lipschitz = surface::lipschitz_estimate({model_.runtime(), progress}, model_.implicit());
+    }
+    void cast(const base::Work& work, const surface::Rays& rays, surface::RayHits& hits) const {
+        if (cells_ != nullptr)
+            surface::cast_rays(work, *cells_, model_.implicit(), settings_, rays, hits);
+        else
+            surface::cast_rays(work, model_.implicit(), settings_, rays, hits);
+    }
+
+private:
+    const hrbfnpr_model& model_;
+    surface::RaySettings settings_;
+    const surface::RayCells* cells_ = nullptr;
+    bool prepared_ = false;
+};
+
+// Casts rays on the mesh of a line set, and those that it leaves without the mesh.
+class MeshSearch {
+public:
+    MeshSearch(const hrbfnpr_model& model, const hrbfnpr_line_set& lines, const curves::MeshRaySettings& settings,
+               RaySearch& rest, std::int64_t rays, const base::Progress& progress)
+        : settings_(settings), rest_(rest), rays_(rays), mesh_(lines.ray_mesh(progress)),
+          implicit_(model.implicit_for(settings.refine ? evaluations * static_cast<double>(rays) : 0.0, progress)) {}
+
+    void cast(const base::Work& work, const surface::Rays& rays, surface::RayHits& hits) const {
+        const base::Array<std::int32_t> left = curves::cast_rays(work, implicit_, mesh_, settings_, rays, hits);
+        if (left.empty()) return;
+        rest_.prepare(rays_, work.without_progress());
+        surface::Rays some(work.memory);
+        for (const std::int32_t ray : left) {
+            some.origin.push_back(rays.origin[ray]);
+            some.direction.push_back(rays.direction[ray]);
+        }
+        surface::RayHits found(work.memory);
+        rest_.cast(work.without_progress(), some, found);
+        for (std::int64_t i = 0; i < left.size(); ++i) surface::copy_ray(found, i, left[i], settings_.rays, hits);
+    }
+
+private:
+    static constexpr double evaluations = 4.0; // the usual number of evaluations of a ray
+
+    curves::MeshRaySettings settings_;
+    RaySearch& rest_;
+    std::int64_t rays_;
+    const curves::RayMesh& mesh_;
+    const implicit::Implicit& implicit_;
+};
+
+// Casts rays in blocks by cast(work, rays, hits) and writes their hits. Returns the number of rays that have a hit.
+template <class Cast>
+std::int64_t cast_blocks(const base::Runtime& runtime, const Queries& origins, const Queries& directions,
+                         std::int64_t maximum_hits, const RayOutputs& out, const base::Progress& progress,
+                         Cast&& cast) {
     surface::Rays rays(runtime.memory);
     surface::RayHits block(runtime.memory);
     std::int64_t hit_rays = 0;
-    for_blocks(origins.count(), rays_at_once / settings.maximum_hits, progress.part(estimate ? 0.1 : 0.0, 1.0),
+    for_blocks(origins.count(), rays_at_once / maximum_hits, progress,
                [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
                    origins.read(begin, end, rays.origin);
                    directions.read(begin, end, rays.direction);
-                   if (cells != nullptr)
-                       surface::cast_rays({runtime, part}, *cells, model.implicit(), settings, rays, block);
-                   else
-                       surface::cast_rays({runtime, part}, model.implicit(), settings, rays, block);
+                   cast(base::Work(runtime, part), rays, block);
                    for (std::int64_t i = 0; i < end - begin; ++i) {
-                       write_ray(block, i, settings.maximum_hits, out, begin);
+                       write_ray(block, i, maximum_hits, out, begin);
                        hit_rays += block.count[i] > 0 ? 1 : 0;
                    }
                });
     return hit_rays;
+}
+
+std::int64_t cast_rays(const hrbfnpr_model& model, const Queries& origins, const Queries& directions,
+                       const hrbfnpr_cast_desc& desc, const surface::RaySettings& settings, const RayOutputs& out,
+                       const base::Progress& progress) {
+    const std::int64_t count = origins.count();
+    RaySearch search(model, settings);
+    const auto cast_all = [&](auto& way) {
+        return cast_blocks(model.runtime(), origins, directions, settings.maximum_hits, out, progress.part(0.1, 1.0),
+                           [&](const base::Work& work, const surface::Rays& rays, surface::RayHits& hits) {
+                               way.cast(work, rays, hits);
+                           });
+    };
+    if (desc.line_set == nullptr) {
+        search.prepare(count, progress.part(0.0, 0.1));
+        return cast_all(search);
+    }
+    const MeshSearch on_mesh(model, *desc.line_set, {settings, desc.refine == 1}, search, count,
+                             progress.part(0.0, 0.1));
+    return cast_all(on_mesh);
 }
 
 // Tests whether points are inside. Returns the number of points inside.
@@ -173,7 +257,8 @@ hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, const hrbfnpr
                                        hrbfnpr_ray_hits* hits, hrbfnpr_operation* operation, hrbfnpr_error* error) {
     return api::guarded(error, [&] {
         const auto& handle = api::deref(model, "model");
-        const surface::RaySettings settings = api::checked(api::read_optional_struct(desc, "cast_desc"));
+        const hrbfnpr_cast_desc given = api::read_optional_struct(desc, "cast_desc");
+        const surface::RaySettings settings = api::checked(given, handle);
         const api::Queries from(handle.runtime(), origins, "origins");
         const api::Queries along(handle.runtime(), directions, "directions");
         api::check_one_for_each(from, along);
@@ -183,7 +268,7 @@ hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, const hrbfnpr
         along.check_finite();
         along.check_not_zero();
         const api::OperationUse use(operation);
-        const std::int64_t hit_rays = api::cast_rays(handle, from, along, settings, out, use.progress());
+        const std::int64_t hit_rays = api::cast_rays(handle, from, along, given, settings, out, use.progress());
         use.finish();
         api::write_number(hits, &hrbfnpr_ray_hits::hit_rays, hit_rays);
     });

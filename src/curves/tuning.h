@@ -180,6 +180,12 @@ struct CurveTuning {
     double leaves_surface = 1e-4;
     // A root is on the border of the surface if |Domain::beyond()| there is at most this.
     double on_border = 1e-6;
+
+    // ---- Rays
+
+    // The largest number of Newton's steps from the mesh to the surface. Larger: fewer rays are searched without the
+    // mesh.
+    std::int32_t most_ray_steps = 12;
 };
 inline constexpr CurveTuning curve_tuning;
 

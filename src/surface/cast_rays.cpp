@@ -108,6 +108,19 @@ void clear(RayHits& hits, const RaySettings& settings, std::int64_t begin, std::
     }
 }
 
+void copy_ray(const RayHits& from, std::int64_t ray, std::int64_t to_ray, const RaySettings& settings, RayHits& to) {
+    for (std::int64_t h = 0; h < settings.maximum_hits; ++h) {
+        const std::int64_t at = ray * settings.maximum_hits + h;
+        const std::int64_t to_at = to_ray * settings.maximum_hits + h;
+        to.t[to_at] = from.t[at];
+        to.position.set(to_at, from.position[at]);
+        to.normal.set(to_at, from.normal[at]);
+        to.entering[to_at] = from.entering[at];
+    }
+    to.count[to_ray] = from.count[ray];
+    to.status[to_ray] = from.status[ray];
+}
+
 void store_hit(RayHits& hits, const RaySettings& settings, std::int64_t ray, std::int32_t h, const RayRange& range,
                double s, const glm::dvec3& g, bool entering) noexcept {
     const std::int64_t at = ray * settings.maximum_hits + h;

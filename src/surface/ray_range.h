@@ -29,6 +29,9 @@ void clear(RayHits& hits, const RaySettings& settings, std::int64_t begin, std::
 void store_hit(RayHits& hits, const RaySettings& settings, std::int64_t ray, std::int32_t h, const RayRange& range,
                double s, const glm::dvec3& g, bool entering) noexcept;
 
+// Copies the hits of a ray to another ray. maximum_hits is the same for both.
+void copy_ray(const RayHits& from, std::int64_t ray, std::int64_t to_ray, const RaySettings& settings, RayHits& to);
+
 // Casts the rays of the list `which` by marching, and stores their hits. `lipschitz` is the bound on |grad f|.
 void march_rays(const base::Work& work, const implicit::Implicit& implicit, const RaySettings& settings,
                 double lipschitz, const Rays& rays, const std::int32_t* which, std::int64_t count, RayHits& hits);

@@ -244,6 +244,7 @@ void Scene::describe_marks() {
     hrbfnpr_line_set* lines = nullptr;
     check(hrbfnpr_line_set_create(context_.get(), model, &line_set_desc_, nullptr, &lines, check.error()));
     lines_.reset(lines);
+    cast_desc_.line_set = lines;
     point_set_desc_ = made(hrbfnpr_point_set_desc_init);
     point_set_desc_.base = set;
     point_set_desc_.layers = &layer_arrays_;

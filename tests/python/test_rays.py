@@ -2,7 +2,7 @@
 """Rays cast on a model, and which points lie inside."""
 import numpy as np
 import pytest
-from conftest import fibonacci_sphere
+from conftest import fibonacci_sphere, torus
 
 import hrbfnpr
 
@@ -56,6 +56,24 @@ def test_shapes(ball):
     assert np.ndim(single.t) == np.ndim(single.hits) == 0 and single.normal.shape == (3,)
     none = ball.cast_rays(np.empty((0, 3)), np.empty((0, 3)), maximum_hits=3)
     assert none.t.shape == (0, 3) and none.position.shape == (0, 3, 3) and none.hit_rays == 0
+
+
+def test_rays_may_meet_the_mesh_of_a_line_set_first(ball):
+    points, normals = torus()
+    ring = hrbfnpr.Model.fit(points, normals)
+    lines = hrbfnpr.LineSet(ring)
+    eye, ends = [0, -4, 3], np.random.default_rng(3).uniform(-1, 1, (200, 3)) * [1.2, 1.2, 0.3]
+    wanted = ring.cast_rays(eye, ends - eye, maximum_hits=4)
+    found = ring.cast_rays(eye, ends - eye, maximum_hits=4, line_set=lines)
+    on_mesh = ring.cast_rays(eye, ends - eye, maximum_hits=4, line_set=lines, refine=False)
+    for hits, off in ((found, 1e-7), (on_mesh, 0.05)):
+        same = hits.hits == wanted.hits
+        assert same.mean() > 0.98 and np.isfinite(hits.t[same]).any()
+        both = same[:, None] & np.isfinite(wanted.t)
+        assert np.quantile(np.abs(hits.t[both] - wanted.t[both]), 0.9) < off
+    assert (on_mesh.t != found.t).any()
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="line_set was made for another model"):
+        ball.cast_rays([0, 0, 5], [0, 0, -1], line_set=lines)
 
 
 @pytest.mark.parametrize(

@@ -189,6 +189,12 @@ void add_models(std::map<std::string, Call>& calls) {
         status = hrbfnpr_model_cast_rays(s.model.get(), &s.points, &directions, nullptr, &hits, nullptr, error);
         result.add(t);
         result.add(hits.hit_rays);
+        auto on_mesh = made(hrbfnpr_cast_desc_init);
+        on_mesh.line_set = s.lines.get();
+        if (status == HRBFNPR_STATUS_OK)
+            status = hrbfnpr_model_cast_rays(s.model.get(), &s.points, &directions, &on_mesh, &hits, nullptr, error);
+        result.add(t);
+        result.add(hits.hit_rays);
     });
     CALL(hrbfnpr_model_lipschitz) {
         double bound = 0.0;

@@ -173,7 +173,19 @@ namespace HrbfNpr
         /// <summary>Accuracy of the place of a hit along its ray, in diagonals; above 0; default 1e-9.</summary>
         public double Tolerance { get; set; } = 1e-9;
 
-        internal void Write(ref hrbfnpr_cast_desc desc)
+        /// <summary>
+        /// A line set of this model, whose mesh the rays meet first, which is faster; default null = rays are searched
+        /// without a mesh.  Parts of the surface that the mesh does not have are missed.
+        /// </summary>
+        public LineSet LineSet { get; set; }
+
+        /// <summary>
+        /// With <see cref="LineSet"/>: true = hits on the mesh are moved along their rays to f = 0; false = they stay on
+        /// the mesh.  Default true.
+        /// </summary>
+        public bool Refine { get; set; } = true;
+
+        internal void Write(ref hrbfnpr_cast_desc desc, HeldHandles held)
         {
             desc.maximum_hits = MaximumHits;
             desc.evaluation_limit = EvaluationLimit;
@@ -182,6 +194,11 @@ namespace HrbfNpr
             desc.lipschitz = Lipschitz;
             desc.smallest_step = SmallestStep;
             desc.tolerance = Tolerance;
+            desc.refine = Refine ? 1u : 0u;
+            if (LineSet != null)
+            {
+                desc.line_set = held.Hold(LineSet.Handle);
+            }
         }
     }
 }

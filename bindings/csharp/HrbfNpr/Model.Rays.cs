@@ -28,13 +28,14 @@ namespace HrbfNpr
             options = options ?? new CastOptions();
             hrbfnpr_cast_desc desc;
             Errors.Check(NativeMethods.hrbfnpr_cast_desc_init(&desc, (uint)sizeof(hrbfnpr_cast_desc)));
-            options.Write(ref desc);
             long count = origins.CountOf(3, nameof(origins));
             // The library refuses numbers out of range before it writes anything.
             var result = new RayHits(count, Math.Max(1, Math.Min(options.MaximumHits, 256)));
+            using (var held = new HeldHandles())
             using (var pins = new Pins())
             using (var call = new LongCall(handle, progress, cancellationToken))
             {
+                options.Write(ref desc, held);
                 hrbfnpr_array from = origins.ToNative(pins, 3, nameof(origins));
                 hrbfnpr_array along = directions.ToNative(pins, 3, nameof(directions));
                 hrbfnpr_ray_hits hits;

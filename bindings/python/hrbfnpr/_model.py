@@ -24,6 +24,7 @@ from ._trim import Trimming
 
 if TYPE_CHECKING:
     from ._layer import LayersToMake
+    from ._line_set import LineSet
     from ._point_set import PointSet
     from ._records import ModelInfo
 
@@ -354,6 +355,8 @@ class Model(MeshFits, Trimming, Combining):
         smallest_step: float = 1e-4,
         tolerance: float = 1e-9,
         evaluation_limit: int = 20000,
+        line_set: Optional[LineSet] = None,
+        refine: bool = True,
         dtype: str = "float64",
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
@@ -384,6 +387,11 @@ class Model(MeshFits, Trimming, Combining):
             Accuracy of the place of a hit along the ray, in diagonals, above 0.
         evaluation_limit : int
             Largest number of evaluations of f on each ray, 1 to 1 000 000.
+        line_set : LineSet, optional
+            A line set of this model.  Rays meet its mesh first, which is faster.  Parts of the surface that the mesh does
+            not have are missed: those smaller than a cell, and those that a ray meets just beside the mesh's outline.
+        refine : bool
+            With `line_set`: move hits from the mesh to f = 0.  False: hits stay on the mesh, which is fastest.
         dtype : {"float64", "float32"}
             Type of the results.
         progress, operation
@@ -403,6 +411,8 @@ class Model(MeshFits, Trimming, Combining):
         desc.maximum_hits, desc.evaluation_limit = room, evaluation_limit
         desc.t_min, desc.t_max, desc.lipschitz = t_min, t_max, lipschitz
         desc.smallest_step, desc.tolerance = smallest_step, tolerance
+        if line_set is not None:
+            desc.line_set, desc.refine = line_set._handle, refine
         made = HitArrays(start.count, max(room, 0), float_code(dtype))
         self._run(lib.hrbfnpr_model_cast_rays, (start.view(), along.view(), desc, made.struct), operation, progress)
         each = start.shape if maximum_hits is None else (*start.shape, room)
