@@ -127,6 +127,8 @@ GROUPS = {
         number("gamma", "style.tone_gamma", "X", "exponent of the tone law; larger is darker mid-tones (default: 1)"),
         Option("ground", "", "ground", "HEIGHT", "ground under the object, on which only the shadow is drawn: at the lowest "
                "place of the object, or with =HEIGHT at that height (default: none)"),  # fmt: skip
+        number("contrast", "style.curvature_contrast", "X", "light that ridges add and hollows take away; 0 to 16 (default: "
+               "0)"),  # fmt: skip
         Option("depth_range", "", "interval", "MIN,MAX", "distances from the camera between which marks fade out, with "
                "0 < MIN < MAX (default: they do not)"),  # fmt: skip
         number("zoom_reference", "style.zoom_reference", "X", "pixels per unit of the model from which all marks are "

@@ -2387,6 +2387,11 @@ typedef struct hrbfnpr_style {
     float tone_gamma;            /* exponent of the tone law; above 0, up to 16; default 1.  Larger: mid-tones are darker */
     uint32_t tone_steps;         /* number of flat tones, from black to white, 2 .. 6; default 0 = continuous tones.  The
                                     steps of t have the same size */
+    float curvature_contrast;    /* light that ridges and hills add, and that hollows take away: it is multiplied by a
+                                    number from -1 to 1, tanh(3 H scale) of the mean curvature H, which is above 0 on a
+                                    ball; 0 .. 16; default 0.  It has an effect on items whose shading was made with it
+                                    (hrbfnpr_shading_desc.curvature_scale) */
+    uint32_t reserved4;
     const float* palette;        /* inks for ink_field, palette_count x 4, straight RGBA in [0, 1], sRGB-encoded; default
                                     NULL.  It is read during _draw only */
     int64_t palette_count;       /* number of inks; 0 .. 8; default 0.  An ink_field needs at least one */
@@ -2665,7 +2670,10 @@ typedef struct hrbfnpr_shading_desc {
                                more, the nearer it is: 1 - distance / reach */
     const hrbfnpr_shading* previous; /* a shading of the same item and the same occluders, but for other lights, whose
                                         occlusion is taken; default NULL = occlusion is computed.  sky_rays and
-                                        occlusion_reach then have no effect */
+                                        occlusion_reach then have no effect.  Its curvature is taken, too, if it has one */
+    double curvature_scale; /* distance over which curvature is measured, in diagonals of the box around the item's
+                               surface; 0 .. 1; default 0.02; 0 = it is not measured.  It is measured if the item's style
+                               has a curvature_contrast, over at least about a cell of the item's line set */
 } hrbfnpr_shading_desc;
 
 /* Sets every field to its default. */
@@ -2676,7 +2684,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_shading_desc_init(hrbfnpr_shading_desc* desc,
  * while these stay, for any camera, except that lights in camera space move with the camera.
  *
  * occluders:   the surfaces, in world space
- * item:        point_set, style and transform are read
+ * item:        point_set, style and transform are read, and line_set if the style has a curvature_contrast
  * camera:      the camera of lights in camera space that cast shadows; may be NULL without such lights
  * desc:        NULL = all defaults
  *

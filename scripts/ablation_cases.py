@@ -397,7 +397,8 @@ def shaded(kept: Kept) -> Result:
     shape = datasets.knot(700)
     model = hrbfnpr.Model.fit(shape.points, shape.normals)
     marks = model.generate([hrbfnpr.Layer("stipples", budget=60000)])
-    style = hrbfnpr.Style("stipple", ambient_sky=0.4, ambient_ground=0.1, light_space="world", light_shadow=1.0, light_softness=0.1)
+    style = hrbfnpr.Style("stipple", ambient_sky=0.4, ambient_ground=0.1, light_space="world", light_shadow=1.0, light_softness=0.1,
+                          curvature_contrast=0.4)  # fmt: skip
     other = np.eye(4)
     other[:3, 3] = [-1.5, 1.0, 2.0]
     lines = hrbfnpr.LineSet(model)

@@ -33,7 +33,8 @@ constexpr std::int64_t most_casting_items = 65536;
                       field("shadow_rays", &Given::shadow_rays, &To::shadow_rays, rule::Between{1.0, 4096.0}),
                       reserved("reserved", &Given::reserved),
                       field("occlusion_reach", &Given::occlusion_reach, &To::reach, rule::Between{0.0, 100.0}),
-                      field("previous", &Given::previous, rule::Any{})};
+                      field("previous", &Given::previous, rule::Any{}),
+                      field("curvature_scale", &Given::curvature_scale, &To::curvature_scale, rule::Between{0.0, 1.0})};
 }
 static_assert(shading_fields().covers<hrbfnpr_shading_desc>());
 
@@ -72,6 +73,14 @@ hrbfnpr_shading* create(hrbfnpr_context& context, const hrbfnpr_occluders& occlu
         return light.space == frame::LightSpace::camera && light.shadow > 0.0F;
     });
     if (needs_camera) shaded.view = to_camera(read_struct(camera, "camera")).view;
+    if (style.curvature_contrast > 0.0F && desc.curvature_scale > 0.0) {
+        if (item.line_set == nullptr)
+            fail(Status::invalid_argument,
+                 "item.style.curvature_contrast is %g, but item.line_set is NULL; give a line set, on whose mesh "
+                 "curvature is measured, or set shading_desc.curvature_scale to 0",
+                 static_cast<double>(style.curvature_contrast));
+        shaded.mesh = &item.line_set->lines.mesh();
+    }
     return use.finish_with(make_handle<hrbfnpr_shading>(
         context, *item.point_set,
         frame::find_shading({context.runtime, use.progress()}, occluders.casters, shaded, settings)));
@@ -100,6 +109,7 @@ hrbfnpr_shading_desc defaults() noexcept {
     desc.struct_size = sizeof desc;
     shading_fields().set_defaults(frame::ShadingSettings{}, desc);
     desc.occlusion_reach = 0.35;
+    desc.curvature_scale = 0.02;
     return desc;
 }
 

@@ -152,6 +152,8 @@ static_assert(layer_style_fields().covers<hrbfnpr_layer_style>());
         field("tone_white", &Given::tone_white, &To::tone_white, rule::Between{-16.0, 16.0}),
         field("tone_gamma", &Given::tone_gamma, &To::tone_gamma, rule::PositiveUpTo{16.0}),
         field("tone_steps", &Given::tone_steps, &To::tone_steps, rule::Between{0.0, 6.0}),
+        field("curvature_contrast", &Given::curvature_contrast, &To::curvature_contrast, strength),
+        reserved("reserved4", &Given::reserved4),
         field("palette", &Given::palette, rule::Any{}),
         field("palette_count", &Given::palette_count, rule::Any{})};
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How much light reaches places of a surface past the meshes that cast shadows.
+// How much light reaches places of a surface past the meshes that cast shadows, and how the surface bends there.
 //
 //   find_openness   places → how much of the sky each sees                      [Zhukov, Iones, Kronin 1998]
 //   find_visible    places, a lamp → how much of the lamp each sees
+//   find_bend       places, their surface's mesh → the mean curvature around each
 #pragma once
 
 #include "base/memory.h"
@@ -14,7 +15,7 @@
 
 namespace hrbfnpr::light {
 
-// Places on a surface, with unit normals. Rays begin at `offset` above them along the normal, so that they do not meet
+// Places on a surface, with unit normals. Rays begin at `offset` above them, so that they do not meet
 // the surface's own mesh. The offset is the largest distance of the mesh from the surface.
 struct Places {
     const geometry::VecArray& position;
@@ -44,5 +45,18 @@ struct Lamp {
 // Returns for each place which part of the lamp it sees, from 0 to 1. Places that face away see 0.
 [[nodiscard]] base::Array<float> find_visible(const base::Work& work, const geometry::Bvh& casters,
                                               const Places& places, const Lamp& lamp);
+
+// The mesh of a surface. The corners of a triangle are counter-clockwise as seen from outside.
+struct SurfaceTriangles {
+    const geometry::VecArray& position;
+    const base::Array<std::int32_t>& corner; // three indices for each triangle
+    double side;                             // the longest side of a cell
+};
+
+// Returns the mean curvature of the surface around each place times the scale: positive on ridges and hills, negative
+// in hollows. The means are taken over distances of about `scale`, which is at least about a side of a cell.
+// The result is the same for any number of threads.
+[[nodiscard]] base::Array<float> find_bend(const base::Work& work, const SurfaceTriangles& mesh, const Places& places,
+                                           double scale);
 
 } // namespace hrbfnpr::light

@@ -9,6 +9,7 @@
 #include "geometry/cell_grid.h"
 #include "geometry/point_grid.h"
 #include "geometry/tangent_frame.h"
+#include "light/sides.h"
 #include "light/tuning.h"
 
 #include <algorithm>
@@ -38,12 +39,6 @@ struct KeyedPlace {
         return side != other.side ? side < other.side : place < other.place;
     }
 };
-
-[[nodiscard]] std::uint32_t side_of(const glm::dvec3& normal) noexcept {
-    const glm::dvec3 size = glm::abs(normal);
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    return static_cast<std::uint32_t>(2 * axis + (normal[axis] < 0.0 ? 1 : 0));
-}
 
 [[nodiscard]] base::Array<KeyedPlace> sort_into_cells(const base::Work& work, const Places& places,
                                                       const CellGrid& grid) {

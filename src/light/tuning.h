@@ -22,6 +22,14 @@ struct LightTuning {
     // The number of rays that decide whether a place is in the penumbra: all of them meet a mesh, or none does. Larger:
     // narrower shadows are found.
     std::int32_t first_rays = 5;
+    // Rays to a lamp begin at most this many offsets away from their places. Larger: borders of shadows are more exact
+    // in flat light, but light leaks where surfaces meet.
+    double longest_start = 3.0;
+    // The triangles of a cell with this side, in scales of the curvature, count as one patch. Larger: less time, but
+    // curvature is less smooth.
+    double patch = 0.6;
+    // The mean of curvature reaches at least this many sides of the mesh's cells. Larger: less noise, but more blur.
+    double least_reach = 3.0;
 };
 inline constexpr LightTuning light_tuning;
 

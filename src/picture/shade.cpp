@@ -18,13 +18,17 @@ bool any_light(const Style& style, Visit&& visit) noexcept {
                        [&](const hrbfnpr_light& light) { return visit(light.shadow, light.space); });
 }
 
+[[nodiscard]] bool needs_occlusion(const hrbfnpr_style& style) noexcept {
+    return style.occlusion > 0.0F && (style.ambient_sky > 0.0F || style.ambient_ground > 0.0F);
+}
+
 } // namespace
 
 bool needs_shading(const Style& style) noexcept {
     const hrbfnpr_style& base = style.base;
     if (base.tone != HRBFNPR_TONE_LIGHT || base.visibility == HRBFNPR_VISIBILITY_PUBLISHED) return false;
-    const bool is_occluded = base.occlusion > 0.0F && (base.ambient_sky > 0.0F || base.ambient_ground > 0.0F);
-    return is_occluded || any_light(style, [](float shadow, std::uint32_t) { return shadow > 0.0F; });
+    if (needs_occlusion(base) || base.curvature_contrast > 0.0F) return true;
+    return any_light(style, [](float shadow, std::uint32_t) { return shadow > 0.0F; });
 }
 
 bool shadows_follow_camera(const Style& style) noexcept {
@@ -47,6 +51,8 @@ Vector<Shading> make_shadings(const Call& call, const Occluders& occluders, std:
     Stage stage(call.report, HRBFNPR_STAGE_SHADE);
     for (std::size_t i = 0; i < items.size(); ++i) {
         auto desc = defaults<hrbfnpr_shading_desc>(hrbfnpr_shading_desc_init);
+        if (!needs_occlusion(*items[i].style)) desc.occlusion_reach = 0.0;
+        if (items[i].line_set == nullptr) desc.curvature_scale = 0.0;
         call.options.changes.apply("shading", desc);
         if (!previous.empty()) desc.previous = previous[i].get();
         shadings.push_back(make<Shading>([&](hrbfnpr_shading** made, hrbfnpr_error* error) {

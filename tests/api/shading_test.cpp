@@ -97,6 +97,49 @@ TEST_F(Shadings, HalfAShadowTakesHalfOfTheLight) {
     EXPECT_LT(half, full);
 }
 
+// The curvature of a unit ball is 1 everywhere. The scale is 0.02 diagonals of the cube around it.
+TEST_F(Shadings, ContrastOfCurvatureLightensABall) {
+    const float bend = std::tanh(3.0F * 0.02F * std::sqrt(12.0F));
+    style.curvature_contrast = 0.8F;
+    light.shadow = 0.0F;
+    const std::int64_t without = shown(items[0]);
+    ASSERT_OK(shade(items[0]));
+    items[0].shading = shading.get();
+    const std::int64_t lighter = shown(items[0]);
+    EXPECT_LT(lighter, without - without / 10);
+    items[0].shading = nullptr;
+    style.tone_black = -0.8F * bend;
+    style.tone_white = 1.0F - 0.8F * bend;
+    EXPECT_NEAR(static_cast<double>(lighter), static_cast<double>(shown(items[0])),
+                0.004 * static_cast<double>(without));
+}
+
+TEST_F(Shadings, CurvatureStaysWithThePreviousShading) {
+    style.curvature_contrast = 0.8F;
+    auto shading_desc = made(hrbfnpr_shading_desc_init);
+    ASSERT_OK(shade(items[0], &shading_desc));
+    items[0].shading = shading.get();
+    const std::int64_t first = shown(items[0]);
+    const std::unique_ptr<hrbfnpr_shading, ReleaseShading> previous(shading.release());
+    shading_desc.previous = previous.get();
+    shading_desc.curvature_scale = 0.0;
+    ASSERT_OK(shade(items[0], &shading_desc));
+    items[0].shading = shading.get();
+    EXPECT_EQ(shown(items[0]), first);
+}
+
+TEST_F(Shadings, ContrastOfCurvatureNeedsALineSet) {
+    style.curvature_contrast = 0.8F;
+    hrbfnpr_item item = items[0];
+    item.line_set = nullptr;
+    EXPECT_FAILS(shade(item), HRBFNPR_STATUS_INVALID_ARGUMENT, "item.line_set is NULL; give a line set");
+    auto shading_desc = made(hrbfnpr_shading_desc_init);
+    shading_desc.curvature_scale = 0.0;
+    EXPECT_OK(shade(item, &shading_desc));
+    shading_desc.curvature_scale = 1.5;
+    EXPECT_FAILS(shade(item, &shading_desc), HRBFNPR_STATUS_INVALID_ARGUMENT, "shading_desc.curvature_scale");
+}
+
 TEST_F(Shadings, OcclusionDarkensWhatIsBelow) {
     style.light_count = 0;
     style.light[0] = 0.0;

@@ -286,6 +286,7 @@ void Scene::describe_style() {
     style_.lights = light_;
     style_.light_count = 2;
     style_.ambient_sky = 0.25F;
+    style_.curvature_contrast = 0.25F;
     style_.tone_function = even_tone;
     item_ = made(hrbfnpr_item_init);
     item_.point_set = set_.get();

@@ -42,6 +42,20 @@ def test_hollows_are_darker_and_shadows_are_cast(model):
     assert shown(model, item) > plain
 
 
+def test_contrast_of_curvature_lightens_what_bulges(model):
+    style = hrbfnpr.Style(curvature_contrast=0.6)
+    item = hrbfnpr.Item(model.generate(budget=3000), style, line_set=hrbfnpr.LineSet(model))
+    plain = shown(model, item)
+    occluders = hrbfnpr.Occluders(item)
+    item.shading = hrbfnpr.Shading(occluders, item)
+    assert shown(model, item) < 0.9 * plain
+    item.shading = hrbfnpr.Shading(occluders, item, curvature_scale=0)
+    assert shown(model, item) == plain
+    item.line_set = None
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="curvature_contrast is 0.6, but item.line_set is NULL"):
+        hrbfnpr.Shading(occluders, item)
+
+
 def test_what_is_wrong_is_named(model):
     marks = model.generate(budget=100)
     item = hrbfnpr.Item(marks, line_set=hrbfnpr.LineSet(model))

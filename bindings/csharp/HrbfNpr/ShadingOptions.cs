@@ -28,12 +28,20 @@ namespace HrbfNpr
         /// <remarks><see cref="SkyRays"/> and <see cref="OcclusionReach"/> then have no effect.</remarks>
         public Shading Previous { get; set; }
 
+        /// <summary>
+        /// Distance over which curvature is measured, in diagonals of the box around the item's surface; 0 to 1; default
+        /// 0.02; 0 = it is not measured.
+        /// </summary>
+        /// <remarks>It is measured if the item's style has a <see cref="Style.CurvatureContrast"/>.</remarks>
+        public double CurvatureScale { get; set; } = 0.02;
+
         internal unsafe void Write(hrbfnpr_shading_desc* desc, HeldHandles held)
         {
             Errors.Check(NativeMethods.hrbfnpr_shading_desc_init(desc, (uint)sizeof(hrbfnpr_shading_desc)));
             desc->sky_rays = SkyRays;
             desc->shadow_rays = ShadowRays;
             desc->occlusion_reach = OcclusionReach;
+            desc->curvature_scale = CurvatureScale;
             if (Previous != null)
             {
                 desc->previous = held.Hold(Previous.Handle);

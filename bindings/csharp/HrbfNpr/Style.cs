@@ -264,6 +264,12 @@ namespace HrbfNpr
         public uint ToneSteps { get; set; }
 
         /// <summary>
+        /// Light that ridges and hills add, and that hollows take away; 0 to 16; default 0.  It has an effect on items
+        /// whose shading was made with it (<see cref="ShadingOptions.CurvatureScale"/>).
+        /// </summary>
+        public float CurvatureContrast { get; set; }
+
+        /// <summary>
         /// The function of <see cref="HrbfNpr.Tone.Callback"/>, which runs on the thread that draws; default null.  If
         /// it throws, the drawing throws a <see cref="CallbackException"/>.
         /// </summary>
@@ -420,6 +426,7 @@ namespace HrbfNpr
             style->tone_white = ToneWhite;
             style->tone_gamma = ToneGamma;
             style->tone_steps = ToneSteps;
+            style->curvature_contrast = CurvatureContrast;
             style->light_space = (uint)LightSpace;
             *(Vector3d*)style->light = Light;
             style->light_intensity = LightIntensity;
@@ -462,6 +469,7 @@ namespace HrbfNpr
             ToneWhite = style->tone_white;
             ToneGamma = style->tone_gamma;
             ToneSteps = style->tone_steps;
+            CurvatureContrast = style->curvature_contrast;
             LightSpace = (LightSpace)style->light_space;
             Light = *(Vector3d*)style->light;
             LightIntensity = style->light_intensity;

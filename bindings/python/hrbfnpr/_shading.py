@@ -65,7 +65,11 @@ class Shading(Owner):
     sky_rays, shadow_rays : int
         Numbers of rays by which a mark sees the sky, and a light in whose penumbra it is; 1 to 4096.
     previous : Shading, optional
-        A shading of the same item and occluders, but for other lights, whose occlusion is taken.  None: it is computed.
+        A shading of the same item and occluders, but for other lights, whose occlusion and curvature are taken.  None: they
+        are computed.
+    curvature_scale : float
+        Distance over which curvature is measured, in diagonals of the box around the item's surface, 0 to 1.  It is measured
+        if the item's style has a `curvature_contrast`; the item then needs a line set.  0: it is not measured.
     progress, operation, context
         As in `Model.fit`.
 
@@ -79,13 +83,15 @@ class Shading(Owner):
 
     def __init__(
         self, occluders: Occluders, item: Item, camera: Optional[Camera] = None, *, occlusion_reach: float = 0.35,
-        sky_rays: int = 64, shadow_rays: int = 32, previous: Optional[Shading] = None, progress: Optional[Progress] = None,
-        operation: Optional[Operation] = None, context: Optional[Context] = None,
+        sky_rays: int = 64, shadow_rays: int = 32, previous: Optional[Shading] = None,
+        curvature_scale: float = 0.02, progress: Optional[Progress] = None, operation: Optional[Operation] = None,
+        context: Optional[Context] = None,
     ) -> None:  # fmt: skip
         context = resolve(context)
         made = prepared([item], shaded=False)
         desc = new_struct("hrbfnpr_shading_desc")
         desc.occlusion_reach, desc.sky_rays, desc.shadow_rays = occlusion_reach, sky_rays, shadow_rays
+        desc.curvature_scale = curvature_scale
         desc.previous = ffi.NULL if previous is None else previous._handle
         seen_from = ffi.NULL if camera is None else camera._struct
         given = context._handle, occluders._handle, made.structs, seen_from, desc

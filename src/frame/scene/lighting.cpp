@@ -114,6 +114,7 @@ Lighting lighting_of(const Style& style, const LitSpace& space) {
     lighting.from_sky = 0.5F * (style.ambient_sky - style.ambient_ground);
     const glm::dvec3 up = unit_or_zero(glm::dmat3(between(LightSpace::world, to, space)) * style.ambient_up);
     for (int k = 0; k < 3; ++k) lighting.up[k] = static_cast<float>(up[k]);
+    lighting.curvature_contrast = style.curvature_contrast;
     lighting.occlusion = style.occlusion;
     lighting.occlusion_exponent = style.occlusion_exponent;
     lighting.rim = style.rim_light;
@@ -181,6 +182,7 @@ float light_at(const Lighting& lighting, const glm::vec3& place, const glm::vec3
     }
     if (lighting.rim > 0.0F)
         sum += lighting.rim * power(std::clamp(1.0F - std::abs(nu), 0.0F, 1.0F), lighting.rim_exponent);
+    sum += lighting.curvature_contrast * seen.bend;
     return tone_of(lighting, sum);
 }
 
@@ -197,11 +199,12 @@ float facing(const Lighting& lighting, const glm::vec3& place, const glm::vec3& 
 }
 
 float least_light(const Lighting& own, const LitBounds& bounds, const SeenShares& seen) noexcept {
-    if (!own.rigid) return tone_of(own, left_of_sky(own, seen) * (own.ambient - std::abs(own.from_sky)));
+    const float by_bend = own.curvature_contrast * seen.bend;
+    if (!own.rigid) return tone_of(own, left_of_sky(own, seen) * (own.ambient - std::abs(own.from_sky)) + by_bend);
     const Angle cone{bounds.cosine, bounds.sine};
     const Range up = cosines(glm::dot(bounds.axis, glm::vec3(own.up[0], own.up[1], own.up[2])), cone);
     float sum = own.ambient + (own.from_sky > 0.0F ? own.from_sky * up.least : own.from_sky * up.most);
-    sum *= left_of_sky(own, seen);
+    sum = sum * left_of_sky(own, seen) + by_bend;
     // The fill light and the rim light are left out, because the terminator may be in between.
     for (std::int32_t i = 0; i < own.count; ++i)
         sum += left_of_lamp(own.lamps[i], seen, i) * own.lamps[i].intensity *

@@ -34,10 +34,12 @@ struct LitSpace {
 // Returns the same lighting with lamps in the space of the item. The transforms of `lighting` must keep angles.
 [[nodiscard]] Lighting own_lighting(const Lighting& lighting) noexcept;
 
-// What a place sees of the sky and of each lamp, or a lower bound for many places.
+// The shares of the sky and of each lamp that a place sees, and how the surface bends there, or lower bounds for many
+// places.
 struct SeenShares {
     float open = 1.0F;
     std::array<float, most_lights> visible{1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F};
+    float bend = 0.0F; // -1 in hollows, 1 on ridges
 };
 
 // Returns tau of a place, by the same formulas as the loops.

@@ -124,6 +124,8 @@ HWY_INLINE W lit(const Lighting& s, const LitVector& v, W nu, const LightShares&
         const W side = clamped(hn::Sub(hn::Set(d, 1.0F), hn::Abs(nu)));
         sum = hn::Add(sum, hn::Mul(hn::Set(d, s.rim), power(side, s.rim_exponent)));
     }
+    if (shares.bend != nullptr)
+        sum = hn::Add(sum, hn::Mul(hn::Set(d, s.curvature_contrast), hn::LoadU(d, shares.bend + at)));
     return tone_of(s, sum);
 }
 

@@ -32,6 +32,7 @@ struct Lighting {
     float occlusion;          // the share of the ambient light that is lost where no sky is seen
     float occlusion_exponent; // the exponent of the share of the sky that is seen
     float rim, rim_exponent;
+    float curvature_contrast; // the light that a ridge adds and a hollow takes away
     // The tone is the power `gamma` of (sum - black) * per_range, rounded down to one of `steps` tones. steps = 0: any
     // tone.
     float black, per_range, gamma;
@@ -42,6 +43,7 @@ struct Lighting {
 struct LightShares {
     const float* open = nullptr;  // the share of the sky that is seen
     const float* visible[8] = {}; // the share of each lamp that is seen
+    const float* bend = nullptr;  // -1 in hollows, 1 on ridges; NULL: 0
 };
 
 // The matrices that take the positions and normals of a set to the picture, as rows.

@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace hrbfnpr::frame {
@@ -52,11 +53,15 @@ void lower(SeenShares& least, const SeenShares& seen) noexcept {
     least.open = std::min(least.open, seen.open);
     for (std::size_t i = 0; i < least.visible.size(); ++i)
         least.visible[i] = std::min(least.visible[i], seen.visible[i]);
+    least.bend = std::min(least.bend, seen.bend);
 }
+
+// The shares of which the least is found begin with the largest.
+constexpr SeenShares most_seen{1.0F, {1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F}, 1.0F};
 
 void find_least(const Shading& shading, std::int64_t number, const marks::Layer& layer, LayerShading& to) {
     for (const marks::Cluster& cluster : layer.clusters.cluster) {
-        SeenShares least;
+        SeenShares least = most_seen;
         for (std::int64_t i = 0; i < cluster.count; ++i) {
             const std::int64_t place = cluster.block * marks::MarkBlock::size + i;
             const marks::MarkBlock& block = layer.clusters.block[place / marks::MarkBlock::size];
@@ -65,10 +70,39 @@ void find_least(const Shading& shading, std::int64_t number, const marks::Layer&
         to.of_cluster.push_back(least);
     }
     for (const marks::StrokePiece& piece : layer.clusters.piece) {
-        SeenShares least;
+        SeenShares least = most_seen;
         for (std::int64_t i = 0; i < piece.count; ++i)
             lower(least, shading.of_mark(number, layer.mark_of(piece.first + i)));
         to.of_piece.push_back(least);
+    }
+}
+
+// Returns how the surface bends at each mark: -1 in hollows, 1 on ridges.
+[[nodiscard]] base::Array<float> find_bends(const base::Work& work, const ShadedItem& item, const marks::Layer& layer,
+                                            double scale) {
+    const curves::SurfaceMesh& mesh = *item.mesh;
+    geometry::Bounds bounds;
+    for (std::int64_t i = 0; i < mesh.vertices(); ++i) bounds.extend(mesh.position[i]);
+    ShadedItem own = item;
+    own.to_world = glm::dmat4(1.0);
+    const WorldMarks marks = in_world(work, own, layer);
+    base::Array<float> bend = light::find_bend(work, {mesh.position, mesh.corner, mesh.side},
+                                               {marks.position, marks.normal, 0.0}, scale * bounds.diagonal());
+    for (float& number : bend) number = std::tanh(scene_tuning.bend_gain * number);
+    return bend;
+}
+
+// Finds how the surface bends, or takes it from a previous shading.
+void add_bends(const base::Work& work, const ShadedItem& item, const ShadingSettings& settings, std::int64_t number,
+               LayerShading& to) {
+    const marks::Layer& layer = item.set->layers[number];
+    if (settings.previous != nullptr && !settings.previous->layers[number].bend.empty()) {
+        marks::copy_array(settings.previous->layers[number].bend, to.bend);
+        marks::copy_array(settings.previous->layers[number].bend_in_blocks, to.bend_in_blocks);
+    } else if (item.mesh != nullptr && settings.curvature_scale > 0.0) {
+        to.bend = find_bends(work, item, layer, settings.curvature_scale);
+        to.bend_in_blocks.resize_for_overwrite(layer.clusters.block.size() * marks::MarkBlock::size);
+        sort_into_blocks(to.bend, 0, layer, to.bend_in_blocks.data());
     }
 }
 
@@ -78,6 +112,7 @@ LightShares Shading::in_blocks(std::int64_t layer, std::int64_t first_place) con
     const LayerShading& from = layers[layer];
     LightShares shares;
     if (!from.open_in_blocks.empty()) shares.open = from.open_in_blocks.data() + first_place;
+    if (!from.bend_in_blocks.empty()) shares.bend = from.bend_in_blocks.data() + first_place;
     const std::int64_t places = shadows > 0 ? from.visible_in_blocks.size() / shadows : 0;
     for (std::size_t i = 0; i < shadow.size(); ++i)
         if (shadow[i] >= 0 && places > 0)
@@ -98,6 +133,7 @@ SeenShares Shading::of_mark(std::int64_t layer, std::int64_t mark) const noexcep
     const LayerShading& from = layers[layer];
     SeenShares seen;
     if (!from.open.empty()) seen.open = from.open[mark];
+    if (!from.bend.empty()) seen.bend = from.bend[mark];
     const std::int64_t marks = shadows > 0 ? from.visible.size() / shadows : 0;
     for (std::size_t i = 0; i < shadow.size(); ++i)
         if (shadow[i] >= 0) seen.visible[i] = from.visible[shadow[i] * marks + mark];
@@ -107,8 +143,9 @@ SeenShares Shading::of_mark(std::int64_t layer, std::int64_t mark) const noexcep
 std::int64_t Shading::bytes() const noexcept {
     std::int64_t sum = 0;
     for (const LayerShading& layer : layers)
-        sum += layer.open.bytes() + layer.visible.bytes() + layer.open_in_blocks.bytes() +
-               layer.visible_in_blocks.bytes() + layer.of_cluster.bytes() + layer.of_piece.bytes();
+        sum += layer.open.bytes() + layer.visible.bytes() + layer.bend.bytes() + layer.open_in_blocks.bytes() +
+               layer.visible_in_blocks.bytes() + layer.bend_in_blocks.bytes() + layer.of_cluster.bytes() +
+               layer.of_piece.bytes();
     for (const curves::FoundLines& found : lines) sum += found.lines.bytes();
     return sum;
 }
@@ -189,6 +226,7 @@ Shading find_shading(const base::Work& work, const Casters& casters, const Shade
             to.open_in_blocks.resize_for_overwrite(in_blocks);
             sort_into_blocks(to.open, 0, layer, to.open_in_blocks.data());
         }
+        add_bends(part.without_progress(), item, settings, number, to);
         to.visible_in_blocks.resize_for_overwrite(shading.shadows * in_blocks);
         for (std::size_t i = 0; i < item.lights.size(); ++i) {
             if (shading.shadow[i] < 0) continue;
@@ -211,9 +249,10 @@ void light_marks(const ProjectionLoops& loops, const Lighting& lighting, const S
     }
     // The shares of the marks are scattered in memory.
     constexpr std::int64_t at_once = 64;
-    std::array<std::array<float, at_once>, 1 + most_lights> share{};
+    std::array<std::array<float, at_once>, 2 + most_lights> share{};
     LightShares shares;
     shares.open = share[0].data();
+    shares.bend = share[most_lights + 1].data();
     for (std::size_t k = 0; k < most_lights; ++k)
         if (shaded.shading->shadow[k] >= 0) shares.visible[k] = share[k + 1].data();
     for (std::int64_t first = 0; first < rows.count; first += at_once) {
@@ -223,6 +262,7 @@ void light_marks(const ProjectionLoops& loops, const Lighting& lighting, const S
             const SeenShares seen =
                 shaded.shading->of_mark(shaded.layer, shaded.marks[static_cast<std::size_t>(first + i)]);
             share[0][at] = seen.open;
+            share[most_lights + 1][at] = seen.bend;
             for (std::size_t k = 0; k < most_lights; ++k) share[k + 1][at] = seen.visible[k];
         }
         loops.light_rows(

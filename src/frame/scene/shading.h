@@ -23,13 +23,14 @@ namespace hrbfnpr::frame {
 
 struct LayerShading {
     explicit LayerShading(base::Memory& memory) noexcept
-        : open(memory), visible(memory), open_in_blocks(memory), visible_in_blocks(memory), of_cluster(memory),
-          of_piece(memory) {}
+        : open(memory), visible(memory), bend(memory), open_in_blocks(memory), visible_in_blocks(memory),
+          bend_in_blocks(memory), of_cluster(memory), of_piece(memory) {}
 
     base::Array<float> open;    // for each mark: the share of the sky; empty: all
     base::Array<float> visible; // shadow after shadow: for each mark, the share of the light
+    base::Array<float> bend;    // for each mark: -1 in hollows, 1 on ridges; empty: 0
     // The same in the order of the blocks of the layer's clusters.
-    base::Array<float> open_in_blocks, visible_in_blocks;
+    base::Array<float> open_in_blocks, visible_in_blocks, bend_in_blocks;
     base::Array<SeenShares> of_cluster, of_piece; // the least shares of each cluster, and of each piece of a stroke
 };
 
@@ -72,15 +73,17 @@ struct ShadingSettings {
     double reach = 0.0; // Parts farther away than this hide no sky, in world units. 0: the whole sky is seen.
     std::int32_t sky_rays = 64;
     std::int32_t shadow_rays = 32;
-    const Shading* previous = nullptr; // a shading of the same marks, whose occlusion is taken
+    double curvature_scale = 0.0;      // the distance over which curvature is measured, in diagonals of the item's mesh
+    const Shading* previous = nullptr; // a shading of the same marks, whose occlusion and curvature are taken
 };
 
 struct ShadedItem {
     const marks::PointSet* set;
     glm::dmat4 to_world;
     std::span<const LightStyle> lights;
-    glm::dmat4 view;                        // from world space to eye space
-    const curves::LineSet* lines = nullptr; // the line set of the surface; null: no borders of shadows are found
+    glm::dmat4 view;                           // from world space to eye space
+    const curves::LineSet* lines = nullptr;    // the line set of the surface; null: no borders of shadows are found
+    const curves::SurfaceMesh* mesh = nullptr; // the mesh of the surface, for curvature; null: curvature is not found
 };
 // Returns a light in world space. A direction has the length 1.
 [[nodiscard]] light::Lamp lamp_of(const LightStyle& style, const ShadedItem& item, std::int32_t rays) noexcept;

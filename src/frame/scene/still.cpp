@@ -58,6 +58,7 @@ base::Array<double> still_key(base::Memory& memory, const Still& still) {
     add(style.tone_white);
     add(style.tone_gamma);
     add(style.tone_steps);
+    add(style.curvature_contrast);
     add(style.zoom_reference);
     add(style.zoom_exponent);
     for (const LayerStyle& layer : style.layers) {
@@ -148,8 +149,8 @@ float StillNeed::share_of_ink(const marks::Extent& extent, const ClusterView& at
     const Style& style = view_.item.style;
     if (style.tone == Tone::callback || style.tone_rule == ToneRule::published) return 1.0F;
     const bool shows_back = view_.item.both_sides && may_face(at, true);
-    // Occlusion and shadows are not known before there are marks.
-    constexpr SeenShares nothing{0.0F, {}};
+    // Occlusion, shadows and curvature are not known before there are marks.
+    constexpr SeenShares nothing{0.0F, {}, -1.0F};
     // Neither are the values of a field.
     const bool is_bounded = style.tone == Tone::light && !shows_back && layer_.style->tone_field == nullptr;
     const float darkness = 1.0F - (is_bounded ? least_tau(extent, view_.sight, nothing) : 0.0F);

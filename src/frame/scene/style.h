@@ -146,6 +146,7 @@ struct Style {
     float tone_white = 1.0F;
     float tone_gamma = 1.0F;
     std::uint32_t tone_steps = 0;
+    float curvature_contrast = 0.0F;
     ToneFn tone_function = nullptr;
     void* tone_user = nullptr;
     double depth_min = 0.0;

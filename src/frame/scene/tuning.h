@@ -37,6 +37,10 @@ struct SceneTuning {
     // shadows. Larger: no spots where a mesh lies above the surface, but light leaks where surfaces touch.
     double shading_offset = 0.25;
 
+    // The contrast of curvature is the hyperbolic tangent of this number times the mean curvature times its scale.
+    // Larger: gentle ridges and hollows count more, but sharp ones look alike.
+    float bend_gain = 3.0F;
+
     // ---- Borders of shadows. A cell is the side of a cell of the mesh on which lines are found.
 
     // For models with creases, a light is moved to one side by this angle, in radians, so that it grazes no face.
@@ -98,8 +102,8 @@ struct SceneTuning {
     // A part of a stroke in one ink is at least this many times as long as it is wide. Shorter parts take the ink of a
     // neighbour. Larger: fewer and longer parts, and colours with borders that are less exact.
     float shortest_in_ink = 2.0F;
-    // What the variance of the colours of a mixture of inks costs, where the square of the distance of its mean from the
-    // wanted colour costs 1. Larger: less grain and less exact colours.
+    // What the variance of the colours of a mixture of inks costs, where the square of the distance of its mean from
+    // the wanted colour costs 1. Larger: less grain and less exact colours.
     float grain_cost = 1e-4F;
 
     // The least |n . v| that is used where a disc of paper is pushed back. Larger: the paper of a layer hides ink of

@@ -47,6 +47,7 @@ struct AllTerms {
         style.tone_black = 0.05F;
         style.tone_white = 1.2F;
         style.tone_gamma = 1.3F;
+        style.curvature_contrast = 0.4F;
     }
 };
 
@@ -68,7 +69,7 @@ std::vector<Style> styles(const AllTerms& all) {
 TEST(Lighting, IsTheSameForOnePlaceAndForRows) {
     constexpr std::int64_t count = 61;
     constexpr std::size_t room = count + 16; // a vector may end beyond the last mark
-    std::array<std::array<float, room>, 8> row{};
+    std::array<std::array<float, room>, 9> row{};
     for (std::size_t i = 0; i < count; ++i) {
         const glm::vec3 n = unit(static_cast<float>(i));
         const glm::vec3 p = 1.5F * unit(0.37F * static_cast<float>(i));
@@ -77,7 +78,10 @@ TEST(Lighting, IsTheSameForOnePlaceAndForRows) {
             row[static_cast<std::size_t>(3 + k)][i] = n[k];
         }
         row[6][i] = std::sin(static_cast<float>(i));
+        row[8][i] = std::cos(static_cast<float>(3 * i));
     }
+    LightShares shares;
+    shares.bend = row[8].data();
     const AllTerms all;
     for (const Style& style : styles(all))
         for (const glm::dmat4& transform : {glm::dmat4(1.0), turned(), stretched()}) {
@@ -88,13 +92,16 @@ TEST(Lighting, IsTheSameForOnePlaceAndForRows) {
                     projection_loops(set).light_rows(lighting,
                                                      {row[0].data(), row[1].data(), row[2].data(), row[3].data(),
                                                       row[4].data(), row[5].data(), count},
-                                                     row[6].data(), {}, row[7].data());
-                    for (std::size_t i = 0; i < count; ++i)
+                                                     row[6].data(), shares, row[7].data());
+                    for (std::size_t i = 0; i < count; ++i) {
+                        SeenShares seen;
+                        seen.bend = row[8][i];
                         EXPECT_NEAR(row[7][i],
                                     light_at(lighting, {row[0][i], row[1][i], row[2][i]},
-                                             {row[3][i], row[4][i], row[5][i]}, row[6][i]),
+                                             {row[3][i], row[4][i], row[5][i]}, row[6][i], seen),
                                     style.tone_steps > 0 ? 0.34F : 2e-6F)
                             << i;
+                    }
                 }
             }
         }
@@ -181,7 +188,9 @@ TEST(Lighting, BoundsHoldForAllPlacesAndNormals) {
             const float angle = 0.05F + 0.02F * static_cast<float>(i % 40);
             const LitBounds bounds{1.4F * unit(0.9F * static_cast<float>(i)), 0.05F + 0.01F * static_cast<float>(i),
                                    unit(static_cast<float>(i)), std::cos(angle), std::sin(angle)};
-            const float least = least_light(own, bounds);
+            SeenShares least_seen;
+            least_seen.bend = -0.6F;
+            const float least = least_light(own, bounds, least_seen);
             const glm::vec3 side = glm::normalize(glm::cross(bounds.axis, unit(7.7F)));
             for (int k = 0; k < 200; ++k) {
                 const float turn = angle * std::sin(static_cast<float>(3 * k));
@@ -191,7 +200,9 @@ TEST(Lighting, BoundsHoldForAllPlacesAndNormals) {
                 const glm::vec3 n = std::cos(turn) * bounds.axis + std::sin(turn) * away;
                 const glm::vec3 p = bounds.centre + bounds.radius * std::cos(static_cast<float>(k)) *
                                                         unit(0.3F * static_cast<float>(k));
-                EXPECT_GE(light_at(own, p, n, 0.5F), least - 1e-5F) << i << " " << k;
+                SeenShares seen;
+                seen.bend = 0.6F * std::sin(static_cast<float>(k));
+                EXPECT_GE(light_at(own, p, n, 0.5F, seen), least - 1e-5F) << i << " " << k;
             }
         }
     }
@@ -254,6 +265,21 @@ TEST(Lighting, OfPublishedStylesHasNoFill) {
     style.tone_rule = ToneRule::share;
     style.visibility = Visibility::published;
     EXPECT_EQ(lighting_of(style, {}).lamps[0].fill, 0.0F);
+}
+
+TEST(Lighting, OfRidgesIsMoreThanThatOfHollows) {
+    Style style;
+    style.light = {0.0, 0.0, 1.0};
+    style.curvature_contrast = 0.5F;
+    const Lighting lighting = lighting_of(style, {});
+    const auto tone = [&](float bend) {
+        SeenShares seen;
+        seen.bend = bend;
+        return light_at(lighting, glm::vec3(0.0F), {0.8F, 0.0F, 0.6F}, -1.0F, seen);
+    };
+    EXPECT_FLOAT_EQ(tone(0.0F), 0.6F);
+    EXPECT_FLOAT_EQ(tone(0.4F), 0.8F);
+    EXPECT_FLOAT_EQ(tone(-1.0F), 0.1F);
 }
 
 TEST(Lighting, StepsAreFlatFromBlackToWhite) {

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// A surface with the mean curvature H bends away from its tangent plane by H d^2 / 2 on average at the distance d. On a
+// ball this holds for any distance. So H is found from means over the surface around a place: twice the mean depth
+// below the tangent plane, divided by the mean square of the distance.
+//
+// 1. patches_of: triangles → patches of the triangles in each cell of a grid
+// 2. bend_at: a place → the means over the patches around it
+#include "base/assert.h"
+#include "base/sort_on_threads.h"
+#include "geometry/cell_grid.h"
+#include "geometry/point_grid.h"
+#include "light/light.h"
+#include "light/sides.h"
+#include "light/tuning.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::light {
+namespace {
+
+using geometry::CellGrid;
+using geometry::VecArray;
+
+constexpr std::int64_t bends_a_task = 1024;
+
+// Sums over some triangles of a mesh.
+struct Patch {
+    double area = 0.0;
+    double squares = 0.0;   // the sum of the squared distances from `mean`
+    glm::dvec3 mean{0.0};   // the centre of the area
+    glm::dvec3 normal{0.0}; // the unit mean of the normals
+};
+
+struct KeyedTriangle {
+    std::uint64_t cell;
+    std::uint32_t side;
+    std::uint32_t triangle;
+
+    [[nodiscard]] bool shares_patch_with(const KeyedTriangle& other) const noexcept {
+        return cell == other.cell && side == other.side;
+    }
+    [[nodiscard]] bool operator<(const KeyedTriangle& other) const noexcept {
+        if (cell != other.cell) return cell < other.cell;
+        return side != other.side ? side < other.side : triangle < other.triangle;
+    }
+};
+
+struct MeshTriangle {
+    glm::dvec3 a, b, c;
+
+    [[nodiscard]] glm::dvec3 area() const noexcept { return 0.5 * glm::cross(b - a, c - a); }
+    [[nodiscard]] glm::dvec3 centre() const noexcept { return (a + b + c) / 3.0; }
+    // Returns the mean of the squared distances from a place.
+    [[nodiscard]] double mean_square(const glm::dvec3& from) const noexcept {
+        const glm::dvec3 p = a - from, q = b - from, r = c - from, sum = p + q + r;
+        return (glm::dot(p, p) + glm::dot(q, q) + glm::dot(r, r) + glm::dot(sum, sum)) / 12.0;
+    }
+};
+
+[[nodiscard]] MeshTriangle triangle_of(const SurfaceTriangles& mesh, std::int64_t t) noexcept {
+    return {mesh.position[mesh.corner[3 * t]], mesh.position[mesh.corner[3 * t + 1]],
+            mesh.position[mesh.corner[3 * t + 2]]};
+}
+
+[[nodiscard]] base::Array<KeyedTriangle> sort_triangles(const base::Work& work, const SurfaceTriangles& mesh,
+                                                        double side) {
+    geometry::Bounds bounds;
+    for (std::int64_t i = 0; i < mesh.position.size(); ++i) bounds.extend(mesh.position[i]);
+    const CellGrid grid{bounds.min, std::max(side, bounds.longest_side() / static_cast<double>(CellGrid::most - 1))};
+    base::Array<KeyedTriangle> keyed(work.memory);
+    keyed.resize_for_overwrite(mesh.corner.size() / 3);
+    work.for_chunks(keyed.size(), 65536, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t t = begin; t < end; ++t) {
+            const MeshTriangle triangle = triangle_of(mesh, t);
+            keyed[t] = {CellGrid::pack(grid.cell_of(triangle.centre())), side_of(triangle.area()),
+                        static_cast<std::uint32_t>(t)};
+        }
+    });
+    base::sort_on_threads(work, keyed, [](const KeyedTriangle& a, const KeyedTriangle& b) { return a < b; });
+    return keyed;
+}
+
+// Returns the patch of the triangles [begin, end) of the order.
+[[nodiscard]] Patch patch_of(const SurfaceTriangles& mesh, const base::Array<KeyedTriangle>& keyed, std::int64_t begin,
+                             std::int64_t end) noexcept {
+    Patch patch;
+    for (std::int64_t i = begin; i < end; ++i) {
+        const MeshTriangle triangle = triangle_of(mesh, keyed[i].triangle);
+        const double area = glm::length(triangle.area());
+        patch.area += area;
+        patch.mean += area * triangle.centre();
+        patch.normal += triangle.area();
+    }
+    if (!(patch.area > 0.0) || !(glm::length(patch.normal) > 0.0)) return {};
+    patch.mean /= patch.area;
+    patch.normal = glm::normalize(patch.normal);
+    for (std::int64_t i = begin; i < end; ++i) {
+        const MeshTriangle triangle = triangle_of(mesh, keyed[i].triangle);
+        patch.squares += glm::length(triangle.area()) * triangle.mean_square(patch.mean);
+    }
+    return patch;
+}
+
+[[nodiscard]] base::Array<Patch> patches_of(const base::Work& work, const SurfaceTriangles& mesh, double side) {
+    const base::Array<KeyedTriangle> keyed = sort_triangles(work, mesh, side);
+    base::Array<Patch> patches(work.memory);
+    std::int64_t begin = 0;
+    for (const std::int64_t i : work.over(keyed.size())) {
+        if (i + 1 < keyed.size() && keyed[i + 1].shares_patch_with(keyed[i])) continue;
+        const Patch patch = patch_of(mesh, keyed, begin, i + 1);
+        if (patch.area > 0.0) patches.push_back(patch);
+        begin = i + 1;
+    }
+    return patches;
+}
+
+struct PatchesAround {
+    const base::Array<Patch>& patch; // in the order of the grid
+    const geometry::PointGrid& grid;
+    double reach;
+};
+
+// Returns the mean curvature at a place.
+[[nodiscard]] double bend_at(const PatchesAround& around, const glm::dvec3& place, const glm::dvec3& normal) {
+    double depth = 0.0;
+    double squares = 0.0;
+    around.grid.around(place, [&](std::int64_t at) {
+        const Patch& patch = around.patch[at];
+        const glm::dvec3 off = patch.mean - place;
+        const double square = glm::dot(off, off);
+        const double near = 1.0 - square / (around.reach * around.reach);
+        if (!(near > 0.0)) return;
+        // The other side of a thin wall does not count.
+        const double faces = std::clamp(1.0 + 2.0 * glm::dot(patch.normal, normal), 0.0, 1.0);
+        const double weight = near * near * faces;
+        depth -= weight * patch.area * glm::dot(off, normal);
+        squares += weight * (patch.area * square + patch.squares);
+    });
+    return squares > 0.0 ? 2.0 * depth / squares : 0.0;
+}
+
+} // namespace
+
+base::Array<float> find_bend(const base::Work& work, const SurfaceTriangles& mesh, const Places& places, double scale) {
+    HRBFNPR_ASSERT(places.position.size() == places.normal.size() && scale > 0.0);
+    // The weights fall to 0 at the reach, so that the root of the mean square of the distances is half of it.
+    const double reach = std::max(2.0 * scale, light_tuning.least_reach * mesh.side);
+    const base::Array<Patch> patches = patches_of(work.part(0.0, 0.3), mesh, light_tuning.patch * 0.5 * reach);
+    VecArray position(work.memory);
+    for (const Patch& patch : patches) position.push_back(patch.mean);
+    const geometry::PointGrid grid(position, reach, work);
+    base::Array<Patch> in_grid(work.memory);
+    for (std::int64_t at = 0; at < patches.size(); ++at) in_grid.push_back(patches[grid.index(at)]);
+    base::Array<float> bend(work.memory, places.position.size());
+    const PatchesAround around{in_grid, grid, reach};
+    work.part(0.3, 1.0).for_chunks(bend.size(), bends_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i)
+            bend[i] = static_cast<float>(scale * bend_at(around, places.position[i], places.normal[i]));
+    });
+    return bend;
+}
+
+} // namespace hrbfnpr::light
