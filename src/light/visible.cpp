@@ -16,17 +16,18 @@ constexpr std::int64_t shaded_a_task = 1024;
 
 // A lamp as a place sees it.
 struct LampDisc {
-    glm::dvec3 origin;  // where rays begin
+    glm::dvec3 origin;
     glm::dvec3 towards; // the middle of the disc is at origin + towards
     glm::dvec3 u, v;    // the radii of the disc
-    double end;         // where rays end, in lengths of `towards`
+    double begin = 0.0; // where rays begin and end, in lengths of `towards`
+    double end = 1.0;
 
     // Returns the end of a ray at a place of the disc, whose radius is 1.
     [[nodiscard]] glm::dvec3 at(double x, double y) const noexcept { return towards + x * u + y * v; }
 };
 
-[[nodiscard]] LampDisc disc_of(const Lamp& lamp, const glm::dvec3& origin) noexcept {
-    LampDisc disc{origin, lamp.is_place ? lamp.place - origin : lamp.place, {}, {}, 1.0};
+[[nodiscard]] LampDisc disc_of(const Lamp& lamp, const glm::dvec3& place) noexcept {
+    LampDisc disc{place, lamp.is_place ? lamp.place - place : lamp.place, {}, {}};
     if (!lamp.is_place) disc.end = std::numeric_limits<double>::infinity();
     const double length = glm::length(disc.towards);
     if (!(length > 0.0)) return disc;
@@ -36,12 +37,25 @@ struct LampDisc {
     return disc;
 }
 
-[[nodiscard]] float visible_at(const geometry::Bvh& casters, const Lamp& lamp, const glm::dvec3& origin,
-                               const glm::dvec3& normal) noexcept {
-    const LampDisc disc = disc_of(lamp, origin);
-    const double facing = glm::dot(disc.towards, normal);
-    if (!(facing > 0.0) && lamp.softness == 0.0) return 0.0F;
-    const auto is_hidden = [&](double x, double y) { return casters.any_hit(origin, disc.at(x, y), 0.0, disc.end); };
+// Lets rays begin at `offset` above the surface, on the line through the place, so that borders of shadows stay where
+// they are. For flat light, the line itself is raised, too, because it leaves the surface too slowly.
+void begin_above(double offset, const glm::dvec3& normal, LampDisc& disc) noexcept {
+    const double length = glm::length(disc.towards);
+    const double cosine = glm::dot(disc.towards, normal) / length;
+    const double skipped = std::min(offset / cosine, light_tuning.longest_start * offset);
+    disc.begin = std::min(skipped / length, disc.end);
+    disc.origin += (offset - skipped * cosine) * normal;
+}
+
+[[nodiscard]] float visible_at(const geometry::Bvh& casters, const Lamp& lamp, const Places& places,
+                               std::int64_t place) noexcept {
+    LampDisc disc = disc_of(lamp, places.position[place]);
+    const glm::dvec3 normal = places.normal[place];
+    if (!(glm::dot(disc.towards, normal) > 0.0)) return 0.0F;
+    begin_above(places.offset, normal, disc);
+    const auto is_hidden = [&](double x, double y) {
+        return casters.any_hit(disc.origin, disc.at(x, y), disc.begin, disc.end);
+    };
     if (lamp.softness == 0.0) return is_hidden(0.0, 0.0) ? 0.0F : 1.0F;
     // The first rays go to the middle of the disc and near its rim.
     const std::int32_t first = light_tuning.first_rays;
@@ -69,10 +83,7 @@ base::Array<float> find_visible(const base::Work& work, const geometry::Bvh& cas
     HRBFNPR_ASSERT(places.position.size() == places.normal.size() && lamp.rays > 0);
     base::Array<float> visible(work.memory, places.position.size());
     work.for_chunks(visible.size(), shaded_a_task, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) {
-            const glm::dvec3 normal = places.normal[i];
-            visible[i] = visible_at(casters, lamp, places.position[i] + places.offset * normal, normal);
-        }
+        for (std::int64_t i = begin; i < end; ++i) visible[i] = visible_at(casters, lamp, places, i);
     });
     return visible;
 }

@@ -152,6 +152,17 @@ TEST_F(LightTest, ShadowsEndWhereTheyShould) {
     EXPECT_LT(different, 40);
 }
 
+TEST_F(LightTest, BordersStayWhereRaysBeginHighAboveTheSurface) {
+    const glm::dvec3 towards = glm::normalize(glm::dvec3(1.0, 0.3, 1.2));
+    const base::Array<float> visible = find_visible(base::Work(runtime), casters, {position, normal, 0.05}, {towards});
+    for (std::int64_t i = 1; i < position.size(); i += 2) { // on the floor
+        const bool hit = std::isfinite(BallOnFloor::plain_hit(position[i] + 1e-9 * normal[i], towards));
+        if ((visible[i] > 0.5F) == !hit) continue;
+        const double past = glm::length(glm::cross(position[i], towards));
+        EXPECT_NEAR(past, 1.0, 1e-3) << i;
+    }
+}
+
 TEST_F(LightTest, PenumbrasHaveTheSharesOfTheDisc) {
     Lamp lamp{glm::normalize(glm::dvec3(0.8, 0.0, 1.0)), false, 0.15};
     lamp.rays = 64;
