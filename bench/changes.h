@@ -151,9 +151,11 @@ struct Way {
 
 // Measures the changes along a camera path, with the same ranks in all frames or with new ones in each frame.
 [[nodiscard]] inline Changes follow(hrbfnpr_context* context, const hrbfnpr_point_set* set, const Style& style,
-                                    const Orbit& orbit, const Way& way, bool reroll) {
+                                    const Orbit& orbit, const Way& way, bool reroll,
+                                    const hrbfnpr_shading* shading = nullptr) {
     Follower follower(set, style);
     Painter painter(context, set, style);
+    painter.use(shading);
     for (int step = 0; step <= way.steps; ++step) {
         const hrbfnpr_camera camera = orbit.at(step * way.degrees, std::pow(way.zoom, step));
         scenes::PointSet other;

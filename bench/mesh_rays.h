@@ -146,6 +146,8 @@ public:
         return 1e-6 * static_cast<double>(count) / median(times);
     }
 
+    [[nodiscard]] const lib::base::Runtime& runtime() const noexcept { return runtime_; }
+
 private:
     [[nodiscard]] static glm::dvec3 unit_vector(RandomNumbers& random) {
         const auto u = random.unit_vector();

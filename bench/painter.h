@@ -42,6 +42,7 @@ public:
     Painter& operator=(const Painter&) = delete;
 
     void use(const hrbfnpr_point_set* set) { item_.point_set = set; }
+    void use(const hrbfnpr_shading* shading) { item_.shading = shading; }
     // Makes the drawing without an image.
     void make_drawing(const hrbfnpr_camera& camera) {
         drawing_.reset(); // the next one reuses its memory

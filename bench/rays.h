@@ -95,9 +95,14 @@ private:
     return some;
 }
 
-// Returns the seconds of a call. lipschitz 0: the way that the library chooses. `found` receives the number of hits of
-// each ray.
-[[nodiscard]] inline double cast(const hrbfnpr_model* model, const RayBundle& bundle, double lipschitz,
+// The way of a call. lipschitz 0: the search that the library chooses.
+struct CastWay {
+    double lipschitz = 0.0;
+    const hrbfnpr_line_set* line_set = nullptr;
+    std::uint32_t refine = 1;
+};
+// Returns the seconds of a call. `found` receives the number of hits of each ray.
+[[nodiscard]] inline double cast(const hrbfnpr_model* model, const RayBundle& bundle, const CastWay& way,
                                  std::vector<std::uint32_t>& found) {
     scenes::Check check;
     const auto rays = static_cast<std::int64_t>(bundle.origin.size() / 3);
@@ -105,13 +110,38 @@ private:
     const hrbfnpr_array along{bundle.direction.data(), rays, 0, HRBFNPR_SCALAR_FLOAT64, 3};
     hrbfnpr_cast_desc desc;
     check(hrbfnpr_cast_desc_init(&desc, sizeof(desc)));
-    desc.lipschitz = lipschitz;
+    desc.lipschitz = way.lipschitz;
+    desc.line_set = way.line_set;
+    desc.refine = way.refine;
     desc.maximum_hits = 4;
     hrbfnpr_ray_hits hits;
     check(hrbfnpr_ray_hits_init(&hits, sizeof(hits)));
     found.resize(bundle.origin.size() / 3);
     hits.count = {found.data(), rays, 0, HRBFNPR_SCALAR_UINT32, 1};
     return seconds([&] { check(hrbfnpr_model_cast_rays(model, &from, &along, &desc, &hits, nullptr, check.error())); });
+}
+
+// Reports the rates of rays that meet a mesh first, against the search without a mesh, and how many of them have
+// another number of hits than `wanted`.
+inline void report_on_mesh(hrbfnpr_context* context, const hrbfnpr_model* model, const RayBundle& bundle,
+                           const std::string& name, const std::vector<std::uint32_t>& wanted) {
+    scenes::Check check;
+    hrbfnpr_line_set* raw = nullptr;
+    check(hrbfnpr_line_set_create(context, model, nullptr, nullptr, &raw, check.error()));
+    const hrbfnpr::test::LineSet lines(raw);
+    for (const std::uint32_t refine : {1U, 0U}) {
+        const CastWay way{0.0, lines.get(), refine};
+        std::vector<std::uint32_t> found;
+        const Comparison times = compare(
+            3, [&] { static_cast<void>(cast(model, bundle, {}, found)); },
+            [&] { static_cast<void>(cast(model, bundle, way, found)); });
+        std::int64_t different = 0;
+        for (std::size_t i = 0; i < wanted.size(); ++i) different += found[i] != wanted[i] ? 1 : 0;
+        const std::string row = name + (refine == 1 ? ".refined" : ".mesh");
+        report((row + ".per_second").c_str(), static_cast<double>(found.size()) / times.seconds);
+        report((row + ".ratio").c_str(), times.ratio);
+        report((row + ".different").c_str(), static_cast<double>(different));
+    }
 }
 
 // Reports the rate of later calls and of the first call, which prepares the fit, the ratio of the former to the rate of
@@ -128,10 +158,10 @@ inline void run_rays(hrbfnpr_context* context) {
         const RayBundle some = some_of(bundle, step);
         std::vector<std::uint32_t> found;
         std::vector<std::uint32_t> wanted;
-        const double first = cast(model.get(), bundle, 0.0, found);
+        const double first = cast(model.get(), bundle, {}, found);
         const Comparison times = compare(
-            3, [&] { static_cast<void>(cast(model.get(), some, lipschitz, wanted)); },
-            [&] { static_cast<void>(cast(model.get(), bundle, 0.0, found)); });
+            3, [&] { static_cast<void>(cast(model.get(), some, {lipschitz}, wanted)); },
+            [&] { static_cast<void>(cast(model.get(), bundle, {}, found)); });
         std::int64_t different = 0;
         for (std::size_t i = 0; i < wanted.size(); ++i) different += found[i * step] != wanted[i] ? 1 : 0;
         const double share = static_cast<double>(found.size()) / static_cast<double>(wanted.size());
@@ -140,6 +170,7 @@ inline void run_rays(hrbfnpr_context* context) {
         report((name + ".per_second_first").c_str(), static_cast<double>(found.size()) / first);
         report((name + ".ratio_march").c_str(), share * times.ratio);
         report((name + ".different").c_str(), static_cast<double>(different));
+        report_on_mesh(context, model.get(), bundle, name, found);
         std::fflush(stdout);
     }
 }

@@ -134,9 +134,11 @@ hrbfnpr_status hrbfnpr_curvature_init(hrbfnpr_curvature* curvature, uint32_t str
 hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr_array* points,
     hrbfnpr_curvature* curvature, hrbfnpr_operation* operation, hrbfnpr_error* error); enum { HRBFNPR_RAY_HIT = 0,
     HRBFNPR_RAY_MISS = 1, HRBFNPR_RAY_TRUNCATED = 2, HRBFNPR_RAY_EVALUATION_LIMIT = 3, HRBFNPR_RAY_NOT_FINITE = 4 };
+typedef struct hrbfnpr_line_set hrbfnpr_line_set;
 typedef struct hrbfnpr_cast_desc { uint32_t struct_size; int32_t maximum_hits; int32_t evaluation_limit;
     uint32_t reserved; double t_min; double t_max; double lipschitz; double smallest_step; double tolerance;
-    } hrbfnpr_cast_desc; hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size);
+    const hrbfnpr_line_set* line_set; uint32_t refine; uint32_t reserved2; } hrbfnpr_cast_desc;
+hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_ray_hits { uint32_t struct_size; uint32_t reserved; hrbfnpr_array_out count; hrbfnpr_array_out t;
     hrbfnpr_array_out position; hrbfnpr_array_out normal; hrbfnpr_array_out entering; hrbfnpr_array_out status;
     int64_t hit_rays; } hrbfnpr_ray_hits;
@@ -178,14 +180,14 @@ hrbfnpr_status hrbfnpr_model_save_memory(const hrbfnpr_model* model, void* desti
     hrbfnpr_error* error); hrbfnpr_status hrbfnpr_model_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
     hrbfnpr_model** out_model, hrbfnpr_error* error); hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context,
     const void* data, int64_t size, hrbfnpr_model** out_model, hrbfnpr_error* error);
-typedef struct hrbfnpr_point_set hrbfnpr_point_set; enum { HRBFNPR_LAYER_KIND_ANY = 0, HRBFNPR_LAYER_KIND_STIPPLES = 1,
-    HRBFNPR_LAYER_KIND_HATCH = 2, HRBFNPR_LAYER_KIND_OWN = 3 };
-enum { HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0, HRBFNPR_DISTRIBUTION_PUBLISHED = 1 };
+typedef struct hrbfnpr_point_set hrbfnpr_point_set; typedef struct hrbfnpr_field hrbfnpr_field;
+enum { HRBFNPR_LAYER_KIND_ANY = 0, HRBFNPR_LAYER_KIND_STIPPLES = 1, HRBFNPR_LAYER_KIND_HATCH = 2,
+    HRBFNPR_LAYER_KIND_OWN = 3 }; enum { HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0, HRBFNPR_DISTRIBUTION_PUBLISHED = 1 };
 enum { HRBFNPR_HATCH_GUIDE_CURVATURE = 0, HRBFNPR_HATCH_GUIDE_COMBING = 1, HRBFNPR_HATCH_GUIDE_SECTIONS = 2,
     HRBFNPR_HATCH_GUIDE_LIGHT = 3, HRBFNPR_HATCH_GUIDE_SILHOUETTE = 4 };
 enum { HRBFNPR_SEED_AUTO = 0, HRBFNPR_SEED_SAMPLES = 1, HRBFNPR_SEED_BOX = 2, HRBFNPR_SEED_POINTS = 3 };
-enum { HRBFNPR_STROKE_START_SEEDS = 0, HRBFNPR_STROKE_START_STIPPLES = 1 };
-enum { HRBFNPR_DENSITY_UNIFORM = 0, HRBFNPR_DENSITY_CURVATURE = 1, HRBFNPR_DENSITY_CALLBACK = 2 };
+enum { HRBFNPR_STROKE_START_SEEDS = 0, HRBFNPR_STROKE_START_STIPPLES = 1 }; enum { HRBFNPR_DENSITY_UNIFORM = 0,
+    HRBFNPR_DENSITY_CURVATURE = 1, HRBFNPR_DENSITY_CALLBACK = 2, HRBFNPR_DENSITY_FIELD = 3 };
 typedef int32_t (*hrbfnpr_density_fn)(void* user, int64_t count, const double* positions, const double* normals,
     double* density); typedef int32_t (*hrbfnpr_direction_fn)(void* user, int64_t count, const double* positions,
     const double* normals, double* directions); enum { HRBFNPR_TONE_RANGES_FULL = 0, HRBFNPR_TONE_RANGES_IN_TURN = 1 };
@@ -194,7 +196,8 @@ enum { HRBFNPR_LAYER_WITH_CURVATURE = 1 }; typedef struct hrbfnpr_layer_desc { u
     uint32_t flags; uint32_t density; double density_strength; hrbfnpr_density_fn density_function; void* density_user;
     hrbfnpr_direction_fn direction_function; void* direction_user; uint32_t guide; uint32_t start; int32_t start_level;
     int32_t levels; double separation; double step; double angle; double smoothing; double axis[3]; double axis_weight;
-    double guide_direction[3]; double guide_weight; double tone_smoothing; } hrbfnpr_layer_desc;
+    double guide_direction[3]; double guide_weight; double tone_smoothing; const hrbfnpr_field* density_field;
+    const hrbfnpr_field* direction_field; } hrbfnpr_layer_desc;
 hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_generate_desc { uint32_t struct_size; uint32_t distribution; const hrbfnpr_layer_desc* layers;
     int64_t layer_count; int64_t layer_stride; int64_t shared_budget; uint32_t tone_ranges; uint32_t seed_source;
@@ -219,10 +222,10 @@ hrbfnpr_status hrbfnpr_point_set_desc_init(hrbfnpr_point_set_desc* desc, uint32_
 hrbfnpr_status hrbfnpr_point_set_create(hrbfnpr_context* context, const hrbfnpr_point_set_desc* desc,
     hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
 void hrbfnpr_point_set_retain(const hrbfnpr_point_set* set);
-void hrbfnpr_point_set_release(const hrbfnpr_point_set* set);
-typedef struct hrbfnpr_point_set_info { uint32_t struct_size; uint32_t distribution; uint32_t seed_source;
-    uint32_t reserved; int64_t layers; int64_t marks; double origin[3]; double bounds_min[3]; double bounds_max[3];
-    double spacing; double seconds_seeds; double seconds_total; int64_t bytes; } hrbfnpr_point_set_info;
+void hrbfnpr_point_set_release(const hrbfnpr_point_set* set); typedef struct hrbfnpr_point_set_info {
+    uint32_t struct_size; uint32_t distribution; uint32_t seed_source; uint32_t reserved; int64_t layers; int64_t marks;
+    double origin[3]; double bounds_min[3]; double bounds_max[3]; double spacing; double seconds_seeds;
+    double seconds_total; int64_t bytes; int64_t field_count; } hrbfnpr_point_set_info;
 hrbfnpr_status hrbfnpr_point_set_info_init(hrbfnpr_point_set_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_point_set_get_info(const hrbfnpr_point_set* set, hrbfnpr_point_set_info* info,
     hrbfnpr_error* error);
@@ -238,7 +241,15 @@ hrbfnpr_status hrbfnpr_point_set_get_seed_placement(const hrbfnpr_point_set* set
     hrbfnpr_error* error); hrbfnpr_status hrbfnpr_point_set_get_placement(const hrbfnpr_point_set* set, int64_t layer,
     int32_t level, hrbfnpr_placement_info* info, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, int64_t layer, uint32_t attribute,
-    hrbfnpr_array* out_view, hrbfnpr_error* error);
+    hrbfnpr_array* out_view, hrbfnpr_error* error); typedef struct hrbfnpr_mark_field { uint32_t struct_size;
+    uint32_t reserved; const char* name; const hrbfnpr_field* field; const double* transform; } hrbfnpr_mark_field;
+hrbfnpr_status hrbfnpr_mark_field_init(hrbfnpr_mark_field* field, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_point_set_with_fields(hrbfnpr_context* context, const hrbfnpr_point_set* set,
+    const hrbfnpr_mark_field* fields, int64_t field_count, int64_t field_stride, hrbfnpr_operation* operation,
+    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_point_set_get_field(const hrbfnpr_point_set* set, int64_t number, const char** name,
+    uint32_t* kind, hrbfnpr_error* error); hrbfnpr_status hrbfnpr_point_set_view_field(const hrbfnpr_point_set* set,
+    int64_t layer, const char* name, hrbfnpr_array* values, hrbfnpr_array* weights, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_point_set_step_patches(hrbfnpr_context* context, const hrbfnpr_model* model,
     const hrbfnpr_generate_desc* desc, const hrbfnpr_array_out* corners, double* step, hrbfnpr_operation* operation,
     hrbfnpr_error* error); hrbfnpr_status hrbfnpr_point_set_save(const hrbfnpr_point_set* set, hrbfnpr_write_fn write,
@@ -247,7 +258,7 @@ hrbfnpr_status hrbfnpr_point_set_step_patches(hrbfnpr_context* context, const hr
 hrbfnpr_status hrbfnpr_point_set_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
     hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
-    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error); typedef struct hrbfnpr_line_set hrbfnpr_line_set;
+    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
 enum { HRBFNPR_LINE_KIND_CONTOUR = 1, HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR = 2, HRBFNPR_LINE_KIND_RIDGE = 3,
     HRBFNPR_LINE_KIND_VALLEY = 4, HRBFNPR_LINE_KIND_APPARENT_RIDGE = 5, HRBFNPR_LINE_KIND_PARABOLIC = 6,
     HRBFNPR_LINE_KIND_ISOPHOTE = 7, HRBFNPR_LINE_KIND_SECTION = 8, HRBFNPR_LINE_KIND_BORDER = 9,
@@ -296,12 +307,15 @@ typedef struct hrbfnpr_light { uint32_t struct_size; uint32_t kind; uint32_t spa
 hrbfnpr_status hrbfnpr_light_init(hrbfnpr_light* light, uint32_t struct_size);
 typedef int32_t (*hrbfnpr_tone_fn)(void* user, int64_t count, const float* positions, const float* normals, float* tau);
 enum { HRBFNPR_SHAPE_DOTS = 0, HRBFNPR_SHAPE_STROKES = 1, HRBFNPR_SHAPE_HATCH = 2 };
-typedef struct hrbfnpr_layer_style { uint32_t struct_size; uint32_t kind; const char* name; uint32_t shown;
-    uint32_t contours; uint32_t directions; uint32_t shape; float share; float radius; float radius_zoom;
-    uint32_t reserved; float ink[4]; float hatch_tone_begin; float hatch_tone_end; float hatch_coverage_begin;
-    float hatch_coverage_end; float hatch_spacing; float hatch_pen; float hatch_white; float hatch_taper;
-    float hatch_shortest; uint32_t reserved2; float hatch_wobble; float hatch_overshoot; uint32_t hatch_seed;
-    uint32_t reserved3; } hrbfnpr_layer_style;
+enum { HRBFNPR_FIELD_RULE_REPLACE = 0, HRBFNPR_FIELD_RULE_SCALE = 1 };
+enum { HRBFNPR_PALETTE_NEAREST = 0, HRBFNPR_PALETTE_MIXED = 1 }; typedef struct hrbfnpr_layer_style {
+    uint32_t struct_size; uint32_t kind; const char* name; uint32_t shown; uint32_t contours; uint32_t directions;
+    uint32_t shape; float share; float radius; float radius_zoom; uint32_t reserved; float ink[4];
+    float hatch_tone_begin; float hatch_tone_end; float hatch_coverage_begin; float hatch_coverage_end;
+    float hatch_spacing; float hatch_pen; float hatch_white; float hatch_taper; float hatch_shortest;
+    uint32_t reserved2; float hatch_wobble; float hatch_overshoot; uint32_t hatch_seed; uint32_t reserved3;
+    const char* density_field; const char* tone_field; const char* width_field; const char* ink_field;
+    const char* mask_field; uint32_t tone_field_rule; uint32_t palette_rule; } hrbfnpr_layer_style;
 hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size);
 enum { HRBFNPR_HIDDEN_PARTS_NONE = 0, HRBFNPR_HIDDEN_PARTS_ATTENUATED = 1, HRBFNPR_HIDDEN_PARTS_DASHED = 2,
     HRBFNPR_HIDDEN_PARTS_SHOWN = 3 }; enum { HRBFNPR_CAP_ROUND = 0, HRBFNPR_CAP_FLAT = 1, HRBFNPR_CAP_POINTED = 2 };
@@ -322,7 +336,8 @@ typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[
     uint32_t reserved2; float light_intensity; float light_shadow; float light_softness; uint32_t reserved3;
     const hrbfnpr_light* lights; int64_t light_count; int64_t light_stride; double ambient_up[3]; float ambient_sky;
     float ambient_ground; float occlusion; float occlusion_exponent; float rim_light; float rim_exponent;
-    float tone_black; float tone_white; float tone_gamma; uint32_t tone_steps; } hrbfnpr_style;
+    float tone_black; float tone_white; float tone_gamma; uint32_t tone_steps; float curvature_contrast;
+    uint32_t reserved4; const float* palette; int64_t palette_count; } hrbfnpr_style;
 hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
 enum { HRBFNPR_PRESET_STIPPLE = 0, HRBFNPR_PRESET_HATCH = 1, HRBFNPR_PRESET_CROSS_HATCH = 2, HRBFNPR_PRESET_COMBING = 3,
     HRBFNPR_PRESET_SILHOUETTE = 4, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, HRBFNPR_PRESET_XRAY = 6,
@@ -331,7 +346,25 @@ enum { HRBFNPR_PRESET_STIPPLE = 0, HRBFNPR_PRESET_HATCH = 1, HRBFNPR_PRESET_CROS
     HRBFNPR_PRESET_ARCHAEOLOGICAL = 14 }; hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style,
     uint32_t struct_size, uint32_t preset, hrbfnpr_error* error);
 const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count);
-const char* hrbfnpr_preset_name(uint32_t preset); typedef struct hrbfnpr_renderer hrbfnpr_renderer;
+const char* hrbfnpr_preset_name(uint32_t preset); typedef struct hrbfnpr_occluders hrbfnpr_occluders;
+enum { HRBFNPR_FIELD_KIND_SCALAR = 0, HRBFNPR_FIELD_KIND_COLOUR = 1, HRBFNPR_FIELD_KIND_DIRECTION = 2 };
+enum { HRBFNPR_FIELD_SOURCE_POINTS = 0, HRBFNPR_FIELD_SOURCE_FUNCTION = 1, HRBFNPR_FIELD_SOURCE_DABS = 2,
+    HRBFNPR_FIELD_SOURCE_IMAGE = 3 }; enum { HRBFNPR_DAB_TONE = 0, HRBFNPR_DAB_DENSITY = 1, HRBFNPR_DAB_DIRECTION = 2 };
+typedef struct hrbfnpr_dab { uint32_t struct_size; uint32_t map; double position[3]; double normal[3]; double radius;
+    double strength; double value; double direction[3]; } hrbfnpr_dab;
+hrbfnpr_status hrbfnpr_dab_init(hrbfnpr_dab* dab, uint32_t struct_size); typedef int32_t (*hrbfnpr_field_fn)(void* user,
+    int64_t count, const double* positions, const double* normals, double* values, double* weights);
+typedef struct hrbfnpr_field_desc { uint32_t struct_size; uint32_t kind; uint32_t source; uint32_t flags;
+    double range[2]; hrbfnpr_array points; hrbfnpr_array triangles; hrbfnpr_array values; double reach;
+    hrbfnpr_field_fn function; void* user; const hrbfnpr_dab* dabs; int64_t dab_count; int64_t dab_stride;
+    const hrbfnpr_image* image; const hrbfnpr_camera* camera; const hrbfnpr_occluders* occluders; } hrbfnpr_field_desc;
+hrbfnpr_status hrbfnpr_field_desc_init(hrbfnpr_field_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_field_create(hrbfnpr_context* context, const hrbfnpr_field_desc* desc,
+    hrbfnpr_operation* operation, hrbfnpr_field** out_field, hrbfnpr_error* error);
+void hrbfnpr_field_retain(const hrbfnpr_field* field); void hrbfnpr_field_release(const hrbfnpr_field* field);
+hrbfnpr_status hrbfnpr_field_evaluate(const hrbfnpr_field* field, const hrbfnpr_array* positions,
+    const hrbfnpr_array* normals, const hrbfnpr_array_out* values, const hrbfnpr_array_out* weights,
+    hrbfnpr_operation* operation, hrbfnpr_error* error); typedef struct hrbfnpr_renderer hrbfnpr_renderer;
 typedef struct hrbfnpr_drawing hrbfnpr_drawing;
 hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer, hrbfnpr_error* error);
 void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer); void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer);
@@ -343,13 +376,12 @@ typedef struct hrbfnpr_item { uint32_t struct_size; uint32_t sides; const hrbfnp
     const hrbfnpr_style* style; const hrbfnpr_model* model; double transform[16]; const hrbfnpr_layer_pose* poses;
     int64_t pose_count; int64_t pose_stride; const hrbfnpr_line_set* line_set; const hrbfnpr_shading* shading;
     } hrbfnpr_item; hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size);
-typedef struct hrbfnpr_occluders hrbfnpr_occluders;
 hrbfnpr_status hrbfnpr_occluders_create(hrbfnpr_context* context, const hrbfnpr_item* items, int64_t item_count,
     int64_t item_stride, hrbfnpr_operation* operation, hrbfnpr_occluders** out_occluders, hrbfnpr_error* error);
 void hrbfnpr_occluders_retain(const hrbfnpr_occluders* occluders);
 void hrbfnpr_occluders_release(const hrbfnpr_occluders* occluders);
 typedef struct hrbfnpr_shading_desc { uint32_t struct_size; int32_t sky_rays; int32_t shadow_rays; uint32_t reserved;
-    double occlusion_reach; const hrbfnpr_shading* previous; } hrbfnpr_shading_desc;
+    double occlusion_reach; const hrbfnpr_shading* previous; double curvature_scale; } hrbfnpr_shading_desc;
 hrbfnpr_status hrbfnpr_shading_desc_init(hrbfnpr_shading_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_shading_create(hrbfnpr_context* context, const hrbfnpr_occluders* occluders,
     const hrbfnpr_item* item, const hrbfnpr_camera* camera, const hrbfnpr_shading_desc* desc,
@@ -379,7 +411,7 @@ hrbfnpr_status hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info, uint32_t st
 hrbfnpr_status hrbfnpr_drawing_get_info(const hrbfnpr_drawing* drawing, hrbfnpr_drawing_info* info,
     hrbfnpr_error* error); typedef struct hrbfnpr_drawing_layer_info { uint32_t struct_size; uint32_t mark_class;
     int64_t item; int64_t layer; uint32_t kind; uint32_t shape; char name[64]; float ink[4]; int64_t dots;
-    int64_t strokes; } hrbfnpr_drawing_layer_info;
+    int64_t strokes; int32_t ink_number; uint32_t reserved; } hrbfnpr_drawing_layer_info;
 hrbfnpr_status hrbfnpr_drawing_layer_info_init(hrbfnpr_drawing_layer_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_drawing_get_layer_info(const hrbfnpr_drawing* drawing, int64_t number,
     hrbfnpr_drawing_layer_info* info, hrbfnpr_error* error);
@@ -519,10 +551,13 @@ hrbfnpr_status hrbfnpr_page_write(hrbfnpr_context* context, const hrbfnpr_page_d
     void* user, hrbfnpr_page_info* info, hrbfnpr_operation* operation, hrbfnpr_error* error);
 typedef struct hrbfnpr_picture hrbfnpr_picture; typedef struct hrbfnpr_settings hrbfnpr_settings;
 enum { HRBFNPR_SOURCE_HAS_SHARP_EDGES = 1, HRBFNPR_SOURCE_HAS_VIEWPOINT = 2, HRBFNPR_SOURCE_IS_PHOTO = 4 };
+typedef struct hrbfnpr_source_field { uint32_t struct_size; uint32_t kind; const char* name; hrbfnpr_array values;
+    } hrbfnpr_source_field; hrbfnpr_status hrbfnpr_source_field_init(hrbfnpr_source_field* field, uint32_t struct_size);
 typedef struct hrbfnpr_picture_source { uint32_t struct_size; uint32_t flags; hrbfnpr_array points;
     hrbfnpr_array normals; hrbfnpr_array triangles; hrbfnpr_array sharp_edges; const hrbfnpr_model* model;
     const hrbfnpr_point_set* point_set; double up[3]; const char* up_by; double viewpoint[3]; int64_t columns;
-    int64_t rows; const char* name; } hrbfnpr_picture_source;
+    int64_t rows; const char* name; const hrbfnpr_source_field* fields; int64_t field_count; int64_t field_stride;
+    } hrbfnpr_picture_source;
 hrbfnpr_status hrbfnpr_picture_source_init(hrbfnpr_picture_source* source, uint32_t struct_size);
 enum { HRBFNPR_PICTURE_ALLOW_BLANK = 1, HRBFNPR_PICTURE_FLIP = 2, HRBFNPR_PICTURE_CLOSE = 4,
     HRBFNPR_PICTURE_TOGETHER = 8, HRBFNPR_PICTURE_TRANSPARENT = 16, HRBFNPR_PICTURE_KEEP_MARKS = 32,
@@ -530,13 +565,10 @@ enum { HRBFNPR_PICTURE_ALLOW_BLANK = 1, HRBFNPR_PICTURE_FLIP = 2, HRBFNPR_PICTUR
     HRBFNPR_PICTURE_EDGES_AUTO = 1, HRBFNPR_PICTURE_EDGES_SMOOTH = 2, HRBFNPR_PICTURE_EDGES_SHARP = 3 };
 enum { HRBFNPR_PROFILE_AUTO = 0, HRBFNPR_PROFILE_YES = 1, HRBFNPR_PROFILE_NO = 2 };
 enum { HRBFNPR_PICTURE_SIDES_AUTO = 0, HRBFNPR_PICTURE_SIDES_FRONT = 1, HRBFNPR_PICTURE_SIDES_BOTH = 2 };
+enum { HRBFNPR_PICTURE_GROUND_NONE = 0, HRBFNPR_PICTURE_GROUND_LOWEST = 1, HRBFNPR_PICTURE_GROUND_HEIGHT = 2 };
 enum { HRBFNPR_WORDING_FIELDS = 0, HRBFNPR_WORDING_OPTIONS = 1, HRBFNPR_WORDING_ARGUMENTS = 2 };
 typedef struct hrbfnpr_change { uint32_t struct_size; uint32_t reserved; const char* field; const char* value;
     } hrbfnpr_change; hrbfnpr_status hrbfnpr_change_init(hrbfnpr_change* change, uint32_t struct_size);
-enum { HRBFNPR_DAB_TONE = 0, HRBFNPR_DAB_DENSITY = 1, HRBFNPR_DAB_DIRECTION = 2 };
-typedef struct hrbfnpr_dab { uint32_t struct_size; uint32_t map; double position[3]; double normal[3]; double radius;
-    double strength; double value; double direction[3]; } hrbfnpr_dab;
-hrbfnpr_status hrbfnpr_dab_init(hrbfnpr_dab* dab, uint32_t struct_size);
 enum { HRBFNPR_STAGE_MESH = 1, HRBFNPR_STAGE_SAMPLE = 2, HRBFNPR_STAGE_ORIENT = 3, HRBFNPR_STAGE_SMOOTH = 4,
     HRBFNPR_STAGE_FIT = 5, HRBFNPR_STAGE_COMPARE = 6, HRBFNPR_STAGE_END = 7, HRBFNPR_STAGE_MARKS = 8,
     HRBFNPR_STAGE_LINES = 9, HRBFNPR_STAGE_FRAME = 10, HRBFNPR_STAGE_VIEWS = 11, HRBFNPR_STAGE_SHADE = 12 }; enum {
@@ -565,7 +597,8 @@ enum { HRBFNPR_NOTE_FACES_NOT_FINITE = 1, HRBFNPR_NOTE_NO_DATA = 2, HRBFNPR_NOTE
     HRBFNPR_NOTE_NO_SYMMETRY = 66, HRBFNPR_NOTE_SECTION_OPEN = 67, HRBFNPR_NOTE_NORMALS_NOT_UNIT = 68,
     HRBFNPR_NOTE_AT_ONE_PLACE = 69, HRBFNPR_NOTE_FAR_FROM_ORIGIN = 70, HRBFNPR_NOTE_VERTICES_JOINED = 71,
     HRBFNPR_NOTE_VERTICES_UNUSED = 72, HRBFNPR_NOTE_NONMANIFOLD_EDGES = 73, HRBFNPR_NOTE_MESH_OPEN = 74,
-    HRBFNPR_NOTE_SEVERAL_PARTS = 75, HRBFNPR_NOTE_NOT_USABLE = 76 };
+    HRBFNPR_NOTE_SEVERAL_PARTS = 75, HRBFNPR_NOTE_NOT_USABLE = 76, HRBFNPR_NOTE_NO_GROUND = 77,
+    HRBFNPR_NOTE_PALETTE_CHOSEN = 78 };
 typedef struct hrbfnpr_note { uint32_t struct_size; uint32_t code; uint32_t severity; uint32_t figure_count;
     double figures[8]; const char* text; const char* advice; const char* detail; } hrbfnpr_note;
 hrbfnpr_status hrbfnpr_note_init(hrbfnpr_note* note, uint32_t struct_size);
@@ -583,8 +616,8 @@ typedef struct hrbfnpr_picture_desc { uint32_t struct_size; uint32_t flags; cons
     int64_t maximum_centres; uint32_t parts; uint32_t edges; double edge_angle; double crease_angle; int32_t subdivide;
     uint32_t profile; double viewpoint[3]; double depth_smoothing; uint64_t random_seed; const char* mark_kinds;
     hrbfnpr_array seed_points; double hatch_angle; const char* lines; const char* scale_bar;
-    hrbfnpr_picture_event_fn on_event; void* event_user; } hrbfnpr_picture_desc;
-hrbfnpr_status hrbfnpr_picture_desc_init(hrbfnpr_picture_desc* desc, uint32_t struct_size);
+    hrbfnpr_picture_event_fn on_event; void* event_user; uint32_t ground; uint32_t reserved; double ground_height;
+    } hrbfnpr_picture_desc; hrbfnpr_status hrbfnpr_picture_desc_init(hrbfnpr_picture_desc* desc, uint32_t struct_size);
 enum { HRBFNPR_SOURCE_KIND_POINTS = 1, HRBFNPR_SOURCE_KIND_MESH = 2, HRBFNPR_SOURCE_KIND_MODEL = 3,
     HRBFNPR_SOURCE_KIND_POINT_SET = 4 };
 enum { HRBFNPR_NORMALS_LOOK_UNKNOWN = 0, HRBFNPR_NORMALS_LOOK_OUTWARD = 1, HRBFNPR_NORMALS_LOOK_INWARD = 2,

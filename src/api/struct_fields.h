@@ -127,7 +127,8 @@ inline constexpr FieldLayout fields_of_hrbfnpr_curvature[] = {
 inline constexpr FieldLayout fields_of_hrbfnpr_cast_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(maximum_hits, "int32_t"), FIELD(evaluation_limit, "int32_t"),
     FIELD(reserved, "uint32_t"), FIELD(t_min, "double"), FIELD(t_max, "double"), FIELD(lipschitz, "double"),
-    FIELD(smallest_step, "double"), FIELD(tolerance, "double")};
+    FIELD(smallest_step, "double"), FIELD(tolerance, "double"), FIELD(line_set, "const hrbfnpr_line_set*"),
+    FIELD(refine, "uint32_t"), FIELD(reserved2, "uint32_t")};
 #undef RECORD
 #define RECORD hrbfnpr_ray_hits
 inline constexpr FieldLayout fields_of_hrbfnpr_ray_hits[] = {
@@ -173,7 +174,8 @@ inline constexpr FieldLayout fields_of_hrbfnpr_layer_desc[] = {
     FIELD(start, "uint32_t"), FIELD(start_level, "int32_t"), FIELD(levels, "int32_t"), FIELD(separation, "double"),
     FIELD(step, "double"), FIELD(angle, "double"), FIELD(smoothing, "double"), FIELD(axis, "double[3]"),
     FIELD(axis_weight, "double"), FIELD(guide_direction, "double[3]"), FIELD(guide_weight, "double"),
-    FIELD(tone_smoothing, "double")};
+    FIELD(tone_smoothing, "double"), FIELD(density_field, "const hrbfnpr_field*"),
+    FIELD(direction_field, "const hrbfnpr_field*")};
 #undef RECORD
 #define RECORD hrbfnpr_generate_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_generate_desc[] = {
@@ -201,7 +203,8 @@ inline constexpr FieldLayout fields_of_hrbfnpr_point_set_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(distribution, "uint32_t"), FIELD(seed_source, "uint32_t"),
     FIELD(reserved, "uint32_t"), FIELD(layers, "int64_t"), FIELD(marks, "int64_t"), FIELD(origin, "double[3]"),
     FIELD(bounds_min, "double[3]"), FIELD(bounds_max, "double[3]"), FIELD(spacing, "double"),
-    FIELD(seconds_seeds, "double"), FIELD(seconds_total, "double"), FIELD(bytes, "int64_t")};
+    FIELD(seconds_seeds, "double"), FIELD(seconds_total, "double"), FIELD(bytes, "int64_t"),
+    FIELD(field_count, "int64_t")};
 #undef RECORD
 #define RECORD hrbfnpr_layer_info
 inline constexpr FieldLayout fields_of_hrbfnpr_layer_info[] = {
@@ -214,6 +217,11 @@ inline constexpr FieldLayout fields_of_hrbfnpr_placement_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(attempted, "int64_t"), FIELD(placed, "int64_t"),
     FIELD(dropped_not_converged, "int64_t"), FIELD(dropped_strayed, "int64_t"), FIELD(dropped_degenerate, "int64_t"),
     FIELD(dropped_budget, "int64_t")};
+#undef RECORD
+#define RECORD hrbfnpr_mark_field
+inline constexpr FieldLayout fields_of_hrbfnpr_mark_field[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(name, "const char*"),
+    FIELD(field, "const hrbfnpr_field*"), FIELD(transform, "const double*")};
 #undef RECORD
 #define RECORD hrbfnpr_line_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_line_desc[] = {
@@ -253,7 +261,9 @@ inline constexpr FieldLayout fields_of_hrbfnpr_layer_style[] = {
     FIELD(hatch_coverage_end, "float"), FIELD(hatch_spacing, "float"), FIELD(hatch_pen, "float"),
     FIELD(hatch_white, "float"), FIELD(hatch_taper, "float"), FIELD(hatch_shortest, "float"),
     FIELD(reserved2, "uint32_t"), FIELD(hatch_wobble, "float"), FIELD(hatch_overshoot, "float"),
-    FIELD(hatch_seed, "uint32_t"), FIELD(reserved3, "uint32_t")};
+    FIELD(hatch_seed, "uint32_t"), FIELD(reserved3, "uint32_t"), FIELD(density_field, "const char*"),
+    FIELD(tone_field, "const char*"), FIELD(width_field, "const char*"), FIELD(ink_field, "const char*"),
+    FIELD(mask_field, "const char*"), FIELD(tone_field_rule, "uint32_t"), FIELD(palette_rule, "uint32_t")};
 #undef RECORD
 #define RECORD hrbfnpr_line_style
 inline constexpr FieldLayout fields_of_hrbfnpr_line_style[] = {
@@ -284,7 +294,23 @@ inline constexpr FieldLayout fields_of_hrbfnpr_style[] = {
     FIELD(light_count, "int64_t"), FIELD(light_stride, "int64_t"), FIELD(ambient_up, "double[3]"),
     FIELD(ambient_sky, "float"), FIELD(ambient_ground, "float"), FIELD(occlusion, "float"),
     FIELD(occlusion_exponent, "float"), FIELD(rim_light, "float"), FIELD(rim_exponent, "float"),
-    FIELD(tone_black, "float"), FIELD(tone_white, "float"), FIELD(tone_gamma, "float"), FIELD(tone_steps, "uint32_t")};
+    FIELD(tone_black, "float"), FIELD(tone_white, "float"), FIELD(tone_gamma, "float"), FIELD(tone_steps, "uint32_t"),
+    FIELD(curvature_contrast, "float"), FIELD(reserved4, "uint32_t"), FIELD(palette, "const float*"),
+    FIELD(palette_count, "int64_t")};
+#undef RECORD
+#define RECORD hrbfnpr_dab
+inline constexpr FieldLayout fields_of_hrbfnpr_dab[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(map, "uint32_t"), FIELD(position, "double[3]"), FIELD(normal, "double[3]"),
+    FIELD(radius, "double"), FIELD(strength, "double"), FIELD(value, "double"), FIELD(direction, "double[3]")};
+#undef RECORD
+#define RECORD hrbfnpr_field_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_field_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(source, "uint32_t"), FIELD(flags, "uint32_t"),
+    FIELD(range, "double[2]"), FIELD(points, "hrbfnpr_array"), FIELD(triangles, "hrbfnpr_array"),
+    FIELD(values, "hrbfnpr_array"), FIELD(reach, "double"), FIELD(function, "hrbfnpr_field_fn"), FIELD(user, "void*"),
+    FIELD(dabs, "const hrbfnpr_dab*"), FIELD(dab_count, "int64_t"), FIELD(dab_stride, "int64_t"),
+    FIELD(image, "const hrbfnpr_image*"), FIELD(camera, "const hrbfnpr_camera*"),
+    FIELD(occluders, "const hrbfnpr_occluders*")};
 #undef RECORD
 #define RECORD hrbfnpr_layer_pose
 inline constexpr FieldLayout fields_of_hrbfnpr_layer_pose[] = {
@@ -301,7 +327,8 @@ inline constexpr FieldLayout fields_of_hrbfnpr_item[] = {
 #define RECORD hrbfnpr_shading_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_shading_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(sky_rays, "int32_t"), FIELD(shadow_rays, "int32_t"),
-    FIELD(reserved, "uint32_t"), FIELD(occlusion_reach, "double"), FIELD(previous, "const hrbfnpr_shading*")};
+    FIELD(reserved, "uint32_t"), FIELD(occlusion_reach, "double"), FIELD(previous, "const hrbfnpr_shading*"),
+    FIELD(curvature_scale, "double")};
 #undef RECORD
 #define RECORD hrbfnpr_drawing_info
 inline constexpr FieldLayout fields_of_hrbfnpr_drawing_info[] = {
@@ -320,7 +347,7 @@ inline constexpr FieldLayout fields_of_hrbfnpr_drawing_info[] = {
 inline constexpr FieldLayout fields_of_hrbfnpr_drawing_layer_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(mark_class, "uint32_t"), FIELD(item, "int64_t"), FIELD(layer, "int64_t"),
     FIELD(kind, "uint32_t"), FIELD(shape, "uint32_t"), FIELD(name, "char[64]"), FIELD(ink, "float[4]"),
-    FIELD(dots, "int64_t"), FIELD(strokes, "int64_t")};
+    FIELD(dots, "int64_t"), FIELD(strokes, "int64_t"), FIELD(ink_number, "int32_t"), FIELD(reserved, "uint32_t")};
 #undef RECORD
 #define RECORD hrbfnpr_raster_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_raster_desc[] = {
@@ -448,23 +475,23 @@ inline constexpr FieldLayout fields_of_hrbfnpr_page_info[] = {
     FIELD(dropped_paths, "int64_t"), FIELD(dropped_dots, "int64_t"), FIELD(width, "double"), FIELD(height, "double"),
     FIELD(drawn, "double"), FIELD(travelled, "double"), FIELD(seconds, "double"), FIELD(filled_paths, "int64_t")};
 #undef RECORD
+#define RECORD hrbfnpr_source_field
+inline constexpr FieldLayout fields_of_hrbfnpr_source_field[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(name, "const char*"), FIELD(values, "hrbfnpr_array")};
+#undef RECORD
 #define RECORD hrbfnpr_picture_source
 inline constexpr FieldLayout fields_of_hrbfnpr_picture_source[] = {
     FIELD(struct_size, "uint32_t"), FIELD(flags, "uint32_t"), FIELD(points, "hrbfnpr_array"),
     FIELD(normals, "hrbfnpr_array"), FIELD(triangles, "hrbfnpr_array"), FIELD(sharp_edges, "hrbfnpr_array"),
     FIELD(model, "const hrbfnpr_model*"), FIELD(point_set, "const hrbfnpr_point_set*"), FIELD(up, "double[3]"),
     FIELD(up_by, "const char*"), FIELD(viewpoint, "double[3]"), FIELD(columns, "int64_t"), FIELD(rows, "int64_t"),
-    FIELD(name, "const char*")};
+    FIELD(name, "const char*"), FIELD(fields, "const hrbfnpr_source_field*"), FIELD(field_count, "int64_t"),
+    FIELD(field_stride, "int64_t")};
 #undef RECORD
 #define RECORD hrbfnpr_change
 inline constexpr FieldLayout fields_of_hrbfnpr_change[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(field, "const char*"),
     FIELD(value, "const char*")};
-#undef RECORD
-#define RECORD hrbfnpr_dab
-inline constexpr FieldLayout fields_of_hrbfnpr_dab[] = {
-    FIELD(struct_size, "uint32_t"), FIELD(map, "uint32_t"), FIELD(position, "double[3]"), FIELD(normal, "double[3]"),
-    FIELD(radius, "double"), FIELD(strength, "double"), FIELD(value, "double"), FIELD(direction, "double[3]")};
 #undef RECORD
 #define RECORD hrbfnpr_note
 inline constexpr FieldLayout fields_of_hrbfnpr_note[] = {
@@ -495,7 +522,7 @@ inline constexpr FieldLayout fields_of_hrbfnpr_picture_desc[] = {
     FIELD(viewpoint, "double[3]"), FIELD(depth_smoothing, "double"), FIELD(random_seed, "uint64_t"),
     FIELD(mark_kinds, "const char*"), FIELD(seed_points, "hrbfnpr_array"), FIELD(hatch_angle, "double"),
     FIELD(lines, "const char*"), FIELD(scale_bar, "const char*"), FIELD(on_event, "hrbfnpr_picture_event_fn"),
-    FIELD(event_user, "void*")};
+    FIELD(event_user, "void*"), FIELD(ground, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(ground_height, "double")};
 #undef RECORD
 #define RECORD hrbfnpr_source_info
 inline constexpr FieldLayout fields_of_hrbfnpr_source_info[] = {
@@ -556,16 +583,16 @@ inline constexpr FieldLayout fields_of_hrbfnpr_views_info[] = {
     X(hrbfnpr_project_desc) X(hrbfnpr_projection) X(hrbfnpr_curvature) X(hrbfnpr_cast_desc) X(hrbfnpr_ray_hits) \
     X(hrbfnpr_trim_desc) X(hrbfnpr_trim_info) X(hrbfnpr_csg_node) X(hrbfnpr_csg_desc) X(hrbfnpr_csg_info) \
     X(hrbfnpr_layer_desc) X(hrbfnpr_generate_desc) X(hrbfnpr_layer_arrays) X(hrbfnpr_point_set_desc) \
-    X(hrbfnpr_point_set_info) X(hrbfnpr_layer_info) X(hrbfnpr_placement_info) X(hrbfnpr_line_desc) \
-    X(hrbfnpr_line_set_desc) X(hrbfnpr_line_set_info) X(hrbfnpr_camera) X(hrbfnpr_light) X(hrbfnpr_layer_style) \
-    X(hrbfnpr_line_style) X(hrbfnpr_style) X(hrbfnpr_layer_pose) X(hrbfnpr_item) X(hrbfnpr_shading_desc) \
-    X(hrbfnpr_drawing_info) X(hrbfnpr_drawing_layer_info) X(hrbfnpr_raster_desc) X(hrbfnpr_vertex_attribute) \
-    X(hrbfnpr_vertex_layout) X(hrbfnpr_mark_results) X(hrbfnpr_mark_identity) X(hrbfnpr_mesh_desc) \
-    X(hrbfnpr_mesh_info) X(hrbfnpr_sample_desc) X(hrbfnpr_mesh_edges_desc) X(hrbfnpr_mesh_edges_info) \
-    X(hrbfnpr_compare_desc) X(hrbfnpr_comparison) X(hrbfnpr_mesh_fit_desc) X(hrbfnpr_mesh_fit_info) \
-    X(hrbfnpr_page_item) X(hrbfnpr_pen) X(hrbfnpr_annotation) X(hrbfnpr_page_desc) X(hrbfnpr_page_info) \
-    X(hrbfnpr_picture_source) X(hrbfnpr_change) X(hrbfnpr_dab) X(hrbfnpr_note) X(hrbfnpr_picture_event) \
-    X(hrbfnpr_picture_desc) X(hrbfnpr_source_info) X(hrbfnpr_picture_info) X(hrbfnpr_picture_part) \
-    X(hrbfnpr_picture_page_desc) X(hrbfnpr_views_desc) X(hrbfnpr_views_info)
+    X(hrbfnpr_point_set_info) X(hrbfnpr_layer_info) X(hrbfnpr_placement_info) X(hrbfnpr_mark_field) \
+    X(hrbfnpr_line_desc) X(hrbfnpr_line_set_desc) X(hrbfnpr_line_set_info) X(hrbfnpr_camera) X(hrbfnpr_light) \
+    X(hrbfnpr_layer_style) X(hrbfnpr_line_style) X(hrbfnpr_style) X(hrbfnpr_dab) X(hrbfnpr_field_desc) \
+    X(hrbfnpr_layer_pose) X(hrbfnpr_item) X(hrbfnpr_shading_desc) X(hrbfnpr_drawing_info) \
+    X(hrbfnpr_drawing_layer_info) X(hrbfnpr_raster_desc) X(hrbfnpr_vertex_attribute) X(hrbfnpr_vertex_layout) \
+    X(hrbfnpr_mark_results) X(hrbfnpr_mark_identity) X(hrbfnpr_mesh_desc) X(hrbfnpr_mesh_info) X(hrbfnpr_sample_desc) \
+    X(hrbfnpr_mesh_edges_desc) X(hrbfnpr_mesh_edges_info) X(hrbfnpr_compare_desc) X(hrbfnpr_comparison) \
+    X(hrbfnpr_mesh_fit_desc) X(hrbfnpr_mesh_fit_info) X(hrbfnpr_page_item) X(hrbfnpr_pen) X(hrbfnpr_annotation) \
+    X(hrbfnpr_page_desc) X(hrbfnpr_page_info) X(hrbfnpr_source_field) X(hrbfnpr_picture_source) X(hrbfnpr_change) \
+    X(hrbfnpr_note) X(hrbfnpr_picture_event) X(hrbfnpr_picture_desc) X(hrbfnpr_source_info) X(hrbfnpr_picture_info) \
+    X(hrbfnpr_picture_part) X(hrbfnpr_picture_page_desc) X(hrbfnpr_views_desc) X(hrbfnpr_views_info)
 
 } // namespace hrbfnpr::api

@@ -7,12 +7,13 @@ from typing import Any, Callable, List, Optional, Sequence, Tuple, Type, TypeVar
 from ._arrays import Array
 from ._drawing import Drawing
 from ._fields import Attributes, Color, Field
+from ._surface_field import Field as SurfaceField
 
 T = TypeVar("T")
 Vector = Tuple[float, float, float]
 Interval = Tuple[float, float]
-Density = Union[str, Callable[[Array, Array], Array]]
-Direction = Callable[[Array, Array], Array]
+Density = Union[str, SurfaceField, Callable[[Array, Array], Array]]
+Direction = Union[SurfaceField, Callable[[Array, Array], Array]]
 
 def read(kind: Type[T], struct: Any, /, **known: Any) -> T: ...
 def get(kind: Type[T], function: Callable[..., int], *arguments: Any) -> T: ...
@@ -354,7 +355,9 @@ class PointSetInfo:
     seconds_total : float
         Time of the whole call.
     bytes : int
-        Memory that the set keeps.
+        Memory that the set keeps, with what it shares with other sets.
+    field_count : int
+        Number of fields whose values the set holds.
     """
 
     distribution: str
@@ -368,6 +371,7 @@ class PointSetInfo:
     seconds_seeds: float
     seconds_total: float
     bytes: int
+    field_count: int
 
 @dataclass(frozen=True)
 class LayerInfo:
@@ -596,6 +600,9 @@ class DrawingLayerFields:
         Dots of the layer.
     strokes : int
         Strokes of the layer.
+    ink_number : int
+        Number of the ink in the style's palette; -1 = the layer's own ink. Each ink that marks of a layer take is a
+        layer of the drawing of its own.
     """
 
     mark_class: str
@@ -607,6 +614,7 @@ class DrawingLayerFields:
     ink: Tuple[float, float, float, float]
     dots: int
     strokes: int
+    ink_number: int
 
 @dataclass(frozen=True)
 class MarkIdentity:
@@ -1198,9 +1206,9 @@ class LayerFields:
         "published" strokes of the second direction. None: as `tone_ranges` says.
     with_curvature : bool
         Whether the marks keep their curvature; "published" strokes along curvature always do.
-    density : str or callable
-        Where "blue_noise" stipples are denser: "uniform", "curvature" or a function. The function gets positions
-        and unit normals, shape (n, 3) each, and returns n numbers from 0 (no stipples) to 1 (densest).
+    density : str, Field or callable
+        Where "blue_noise" stipples are denser: "uniform", "curvature", a `Field` or a function. The function gets
+        positions and unit normals, shape (n, 3) each, and returns n numbers from 0 (no stipples) to 1 (densest).
     density_strength : float
         Strength of "curvature"; 0 to 1; default 0.5. 0 = uniform; larger values put more stipples where the surface
         bends.
@@ -1209,10 +1217,10 @@ class LayerFields:
         have about as many marks as the budget.
     step : float
         Distance between the marks of a line, in the model's unit; 0: 0.4 of the separation.
-    direction : callable, optional
-        A function that gives the directions of "hatch" lines, instead of `guide`. It gets positions and unit
-        normals, shape (n, 3) each, and returns directions of the same shape. Their sign and length do not matter;
-        (0, 0, 0) means no direction.
+    direction : Field or callable, optional
+        A `Field`, or a function that gives the directions of "hatch" lines, instead of `guide`. The function gets
+        positions and unit normals, shape (n, 3) each, and returns directions of the same shape. Their sign and
+        length do not matter; (0, 0, 0) means no direction.
     start : {"seeds", "stipples"}
         Where strokes of the distribution "published" start.
     start_level : int
@@ -1311,6 +1319,7 @@ class StyleFields(Attributes):
     tone_white: Field[float, float]
     tone_gamma: Field[float, float]
     tone_steps: Field[int, int]
+    curvature_contrast: Field[float, float]
 
 class LightFields(Attributes):
     kind: Field[str, str]
@@ -1341,6 +1350,8 @@ class LayerStyleFields(Attributes):
     hatch_wobble: Field[float, float]
     hatch_overshoot: Field[float, float]
     hatch_seed: Field[int, int]
+    tone_field_rule: Field[str, str]
+    palette_rule: Field[str, str]
 
 class LineStyleFields(Attributes):
     kind: Field[str, str]

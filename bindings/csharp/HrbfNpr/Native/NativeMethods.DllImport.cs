@@ -194,6 +194,18 @@ namespace HrbfNpr
         internal static extern int hrbfnpr_point_set_view(PointSetHandle set, long layer, uint attribute,
             hrbfnpr_array* out_view, hrbfnpr_error* error);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_mark_field_init(hrbfnpr_mark_field* field, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_with_fields(ContextHandle context, PointSetHandle set,
+            hrbfnpr_mark_field* fields, long field_count, long field_stride, OperationHandle operation,
+            out IntPtr out_point_set, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_get_field(PointSetHandle set, long number, byte** name,
+            uint* kind, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_view_field(PointSetHandle set, long layer, byte* name,
+            hrbfnpr_array* values, hrbfnpr_array* weights, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_point_set_step_patches(ContextHandle context, ModelHandle model,
             hrbfnpr_generate_desc* desc, hrbfnpr_array* corners, double* step, OperationHandle operation,
             hrbfnpr_error* error);
@@ -259,6 +271,21 @@ namespace HrbfNpr
         internal static extern hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint preset, long* count);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern byte* hrbfnpr_preset_name(uint preset);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_dab_init(hrbfnpr_dab* dab, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_field_desc_init(hrbfnpr_field_desc* desc, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_field_create(ContextHandle context, hrbfnpr_field_desc* desc,
+            OperationHandle operation, out IntPtr out_field, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_field_retain(IntPtr field);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_field_release(IntPtr field);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_field_evaluate(FieldHandle field, hrbfnpr_array* positions,
+            hrbfnpr_array* normals, hrbfnpr_array* values, hrbfnpr_array* weights, OperationHandle operation,
+            hrbfnpr_error* error);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_renderer_create(ContextHandle context, out IntPtr out_renderer,
             hrbfnpr_error* error);
@@ -407,11 +434,11 @@ namespace HrbfNpr
         internal static extern int hrbfnpr_page_write(ContextHandle context, hrbfnpr_page_desc* desc, IntPtr write,
             IntPtr user, PageInfo* info, OperationHandle operation, hrbfnpr_error* error);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_source_field_init(hrbfnpr_source_field* field, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_picture_source_init(hrbfnpr_picture_source* source, uint struct_size);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_change_init(hrbfnpr_change* change, uint struct_size);
-        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_dab_init(hrbfnpr_dab* dab, uint struct_size);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_note_init(hrbfnpr_note* note, uint struct_size);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]

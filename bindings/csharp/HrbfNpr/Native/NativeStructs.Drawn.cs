@@ -57,6 +57,13 @@ namespace HrbfNpr
         internal float hatch_overshoot;
         internal uint hatch_seed;
         internal uint reserved3;
+        internal IntPtr density_field;
+        internal IntPtr tone_field;
+        internal IntPtr width_field;
+        internal IntPtr ink_field;
+        internal IntPtr mask_field;
+        internal uint tone_field_rule;
+        internal uint palette_rule;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_line_style")]
@@ -147,6 +154,45 @@ namespace HrbfNpr
         internal float tone_white;
         internal float tone_gamma;
         internal uint tone_steps;
+        internal float curvature_contrast;
+        internal uint reserved4;
+        internal IntPtr palette;
+        internal long palette_count;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_dab")]
+    internal unsafe struct hrbfnpr_dab
+    {
+        internal uint struct_size;
+        internal uint map;
+        internal fixed double position[3];
+        internal fixed double normal[3];
+        internal double radius;
+        internal double strength;
+        internal double value;
+        internal fixed double direction[3];
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_field_desc")]
+    internal unsafe struct hrbfnpr_field_desc
+    {
+        internal uint struct_size;
+        internal uint kind;
+        internal uint source;
+        internal uint flags;
+        internal fixed double range[2];
+        internal hrbfnpr_array points;
+        internal hrbfnpr_array triangles;
+        internal hrbfnpr_array values;
+        internal double reach;
+        internal IntPtr function;
+        internal IntPtr user;
+        internal IntPtr dabs;
+        internal long dab_count;
+        internal long dab_stride;
+        internal IntPtr image;
+        internal IntPtr camera;
+        internal IntPtr occluders;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_pose")]
@@ -185,6 +231,7 @@ namespace HrbfNpr
         internal uint reserved;
         internal double occlusion_reach;
         internal IntPtr previous;
+        internal double curvature_scale;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_raster_desc")]

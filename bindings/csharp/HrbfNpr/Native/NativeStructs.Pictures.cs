@@ -6,6 +6,15 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_source_field")]
+    internal unsafe struct hrbfnpr_source_field
+    {
+        internal uint struct_size;
+        internal uint kind;
+        internal IntPtr name;
+        internal hrbfnpr_array values;
+    }
+
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_picture_source")]
     internal unsafe struct hrbfnpr_picture_source
     {
@@ -23,6 +32,9 @@ namespace HrbfNpr
         internal long columns;
         internal long rows;
         internal IntPtr name;
+        internal IntPtr fields;
+        internal long field_count;
+        internal long field_stride;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_change")]
@@ -32,19 +44,6 @@ namespace HrbfNpr
         internal uint reserved;
         internal IntPtr field;
         internal IntPtr value;
-    }
-
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_dab")]
-    internal unsafe struct hrbfnpr_dab
-    {
-        internal uint struct_size;
-        internal uint map;
-        internal fixed double position[3];
-        internal fixed double normal[3];
-        internal double radius;
-        internal double strength;
-        internal double value;
-        internal fixed double direction[3];
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_note")]
@@ -129,6 +128,9 @@ namespace HrbfNpr
         internal IntPtr scale_bar;
         internal IntPtr on_event;
         internal IntPtr event_user;
+        internal uint ground;
+        internal uint reserved;
+        internal double ground_height;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_picture_part")]

@@ -172,6 +172,9 @@ namespace HrbfNpr
         internal double lipschitz;
         internal double smallest_step;
         internal double tolerance;
+        internal IntPtr line_set;
+        internal uint refine;
+        internal uint reserved2;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_ray_hits")]
@@ -260,6 +263,8 @@ namespace HrbfNpr
         internal fixed double guide_direction[3];
         internal double guide_weight;
         internal double tone_smoothing;
+        internal IntPtr density_field;
+        internal IntPtr direction_field;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_generate_desc")]
@@ -309,6 +314,16 @@ namespace HrbfNpr
         internal long layer_count;
         internal long layer_stride;
         internal ulong random_seed;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_mark_field")]
+    internal unsafe struct hrbfnpr_mark_field
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal IntPtr name;
+        internal IntPtr field;
+        internal IntPtr transform;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_line_desc")]

@@ -492,9 +492,11 @@ export declare const DENSITY: {
   readonly CURVATURE: 1;
   /** the density of density_function */
   readonly CALLBACK: 2;
+  /** the density of density_field */
+  readonly FIELD: 3;
 };
 /** The constants of DENSITY, as options spell them. */
-export type DensityName = "uniform" | "curvature" | "callback";
+export type DensityName = "uniform" | "curvature" | "callback" | "field";
 
 /** The tones in which layers appear, if they have no tone range of their own. */
 export declare const TONE_RANGES: {
@@ -763,6 +765,26 @@ export declare const SHAPE: {
 /** The constants of SHAPE, as options spell them. */
 export type ShapeName = "dots" | "strokes" | "hatch";
 
+/** What tone_field does to the tone. */
+export declare const FIELD_RULE: {
+  /** the tone becomes the value */
+  readonly REPLACE: 0;
+  /** the tone is multiplied by the value */
+  readonly SCALE: 1;
+};
+/** The constants of FIELD_RULE, as options spell them. */
+export type FieldRuleName = "replace" | "scale";
+
+/** Which inks of a palette the marks of an ink_field take. */
+export declare const PALETTE: {
+  /** each mark takes the ink that is nearest to its colour [Oklab, Ottosson 2020] */
+  readonly NEAREST: 0;
+  /** neighbouring marks take the two or three inks whose mean is the colour */
+  readonly MIXED: 1;
+};
+/** The constants of PALETTE, as options spell them. */
+export type PaletteName = "nearest" | "mixed";
+
 /** How the parts of a line that surface hides are drawn.  A layer of surface is two sheets. */
 export declare const HIDDEN_PARTS: {
   /** hidden parts are not drawn */
@@ -848,6 +870,44 @@ export declare const PRESET: {
 export type PresetName = "stipple" | "hatch" | "cross-hatch" | "combing" | "silhouette" | "contour-and-stipple" |
   "xray" | "full" | "engraving" | "etching" | "woodcut" | "scientific-stipple" | "sketch" | "blueprint" |
   "archaeological";
+
+/** The values of a field. */
+export declare const FIELD_KIND: {
+  /** one number */
+  readonly SCALAR: 0;
+  /** three numbers: r, g, b; sRGB-encoded, 0 .. 1 */
+  readonly COLOUR: 1;
+  /** three numbers: x, y, z. Only the tangent part counts; its sign does not */
+  readonly DIRECTION: 2;
+};
+/** The constants of FIELD_KIND, as options spell them. */
+export type FieldKindName = "scalar" | "colour" | "direction";
+
+/** Where the values of a field come from. */
+export declare const FIELD_SOURCE: {
+  /** from values at points, or at the vertices of triangles */
+  readonly POINTS: 0;
+  /** from a function */
+  readonly FUNCTION: 1;
+  /** from dabs of a brush */
+  readonly DABS: 2;
+  /** from an image, which is projected onto the surface along a camera */
+  readonly IMAGE: 3;
+};
+/** The constants of FIELD_SOURCE, as options spell them. */
+export type FieldSourceName = "points" | "function" | "dabs" | "image";
+
+/** What a dab paints. */
+export declare const DAB: {
+  /** the tone: 1 = light, 0 = dark */
+  readonly TONE: 0;
+  /** the density of stipples: 1 = all, 0 = none */
+  readonly DENSITY: 1;
+  /** the direction of hatching */
+  readonly DIRECTION: 2;
+};
+/** The constants of DAB, as options spell them. */
+export type DabName = "tone" | "density" | "direction";
 
 /** The sides of an item's surface on which its marks are drawn.  Lines are seen from both sides in any case. */
 export declare const SIDES: {
@@ -1193,6 +1253,26 @@ export declare const PICTURE_SIDES: {
 /** The constants of PICTURE_SIDES, as options spell them. */
 export type PictureSidesName = "auto" | "front" | "both";
 
+/**
+ * The ground of a picture: a plane under the object, on which only what darkens it is drawn, which is cast
+ * shadows and
+ * the sky that the object hides.  Its marks are a layer named "ground", of stipples or hatching as the style
+ * draws.  Open
+ * ground is white.  It casts no shadow and hides nothing.  If no light of the style casts shadows, the first one
+ * casts
+ * them on the ground, and only there.  The ground is not drawn by cameras below it.
+ */
+export declare const PICTURE_GROUND: {
+  /** no ground */
+  readonly NONE: 0;
+  /** at the lowest place of the object along the up direction */
+  readonly LOWEST: 1;
+  /** at ground_height along the up direction */
+  readonly HEIGHT: 2;
+};
+/** The constants of PICTURE_GROUND, as options spell them. */
+export type PictureGroundName = "none" | "lowest" | "height";
+
 /** How notes and errors write the options that they name. */
 export declare const WORDING: {
   /** as fields of a descriptor: samples 400 */
@@ -1204,18 +1284,6 @@ export declare const WORDING: {
 };
 /** The constants of WORDING, as options spell them. */
 export type WordingName = "fields" | "options" | "arguments";
-
-/** What a dab paints. */
-export declare const DAB: {
-  /** the tone: 1 = light, 0 = dark */
-  readonly TONE: 0;
-  /** the density of stipples: 1 = all, 0 = none */
-  readonly DENSITY: 1;
-  /** the direction of hatching */
-  readonly DIRECTION: 2;
-};
-/** The constants of DAB, as options spell them. */
-export type DabName = "tone" | "density" | "direction";
 
 /** The stages of the work. */
 export declare const STAGE: {
@@ -1435,6 +1503,10 @@ export declare const NOTE: {
   readonly SEVERAL_PARTS: 75;
   /** a source cannot be drawn; the text says why [] */
   readonly NOT_USABLE: 76;
+  /** no ground is drawn; the text says why [] */
+  readonly NO_GROUND: 77;
+  /** inks are chosen from the colours of the source [inks] */
+  readonly PALETTE_CHOSEN: 78;
 };
 /** The constants of NOTE, as options spell them. */
 export type NoteName = "faces-not-finite" | "no-data" | "strays" | "some-oriented" | "normals-made" |
@@ -1448,7 +1520,8 @@ export type NoteName = "faces-not-finite" | "no-data" | "strays" | "some-oriente
   "marks-limited" | "levels-limited" | "seen-from-camera" | "seen-from-front" | "no-lines-of-marks" | "lines-thin" |
   "lines-end" | "lines-broken" | "lines-doubted" | "lines-tangled" | "blank" | "pens" | "plotted" | "not-in-settings"
   | "unit-is-metre" | "no-symmetry" | "section-open" | "normals-not-unit" | "at-one-place" | "far-from-origin" |
-  "vertices-joined" | "vertices-unused" | "nonmanifold-edges" | "mesh-open" | "several-parts" | "not-usable";
+  "vertices-joined" | "vertices-unused" | "nonmanifold-edges" | "mesh-open" | "several-parts" | "not-usable" |
+  "no-ground" | "palette-chosen";
 
 /** The kind of a source. */
 export declare const SOURCE_KIND: {

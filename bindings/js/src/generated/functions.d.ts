@@ -407,6 +407,14 @@ export interface Functions {
    * It finds the same hits within the tolerance.  The last bits depend on whether n is
    * enough for that, but not on the other rays or on earlier calls.
    *
+   * With line_set, each ray first meets the mesh of the line set, whose box tree is made
+   * in the first such call.  Newton's method then moves the hits to f = 0, as
+   * hrbfnpr_model_evaluate computes it (refine 1).  If a hit does not lead there within a
+   * cell of the mesh, its ray is searched as without a mesh.  Parts of the surface that the
+   * mesh does not have are missed: those smaller than a cell, and those where a ray passes
+   * between the surface and its mesh, near its outline.  lipschitz, smallest_step and
+   * evaluation_limit are used only for the rays that are searched.
+   *
    * origins:      n x 3, FLOAT32 or FLOAT64, finite
    * directions:   n x 3, FLOAT32 or FLOAT64, finite, of any length but 0
    * desc:         NULL = all defaults
@@ -414,7 +422,8 @@ export interface Functions {
    * operation:    may be NULL
    *
    * Errors: INVALID_ARGUMENT: NaN, infinity, a zero direction, different counts of
-   * origins and directions, or a direction so short that the t of a hit is infinite.
+   * origins and directions, a direction so short that the t of a hit is infinite, or a
+   * line_set of another model.
    */
   hrbfnpr_model_cast_rays(model: Pointer, origins: Pointer, directions: Pointer, desc: Pointer, hits: Pointer, operation: Pointer, error: Pointer): number;
   /**
@@ -694,6 +703,52 @@ export interface Functions {
    */
   hrbfnpr_point_set_view(set: Pointer, layer: number, attribute: number, out_view: Pointer, error: Pointer): number;
   /**
+   * hrbfnpr_status hrbfnpr_mark_field_init(hrbfnpr_mark_field* field, uint32_t struct_size)
+   *
+   * Sets every field to its default.
+   */
+  hrbfnpr_mark_field_init(field: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_point_set_with_fields(hrbfnpr_context* context, const hrbfnpr_point_set* set, const
+   * hrbfnpr_mark_field* fields, int64_t field_count, int64_t field_stride, hrbfnpr_operation* operation,
+   * hrbfnpr_point_set** out_point_set, hrbfnpr_error* error)
+   *
+   * Creates a point set that has the same marks as `set`, and values of fields for them.  Values that `set` has
+   * stay,
+   * except those of a name in the list.  The marks are shared, not copied, and the fields may be released.  The
+   * values are
+   * saved and loaded with the set.  A hrbfnpr_shading of `set` is one of the new set, too.
+   *
+   * fields:      a list; no name occurs twice
+   * operation:   may be NULL
+   *
+   * Errors: INVALID_ARGUMENT (the set would have more than 64 fields).  CALLBACK (the function of a field failed).
+   */
+  hrbfnpr_point_set_with_fields(context: Pointer, set: Pointer, fields: Pointer, field_count: number, field_stride: number, operation: Pointer, out_point_set: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_point_set_get_field(const hrbfnpr_point_set* set, int64_t number, const char** name,
+   * uint32_t* kind, hrbfnpr_error* error)
+   *
+   * Gets the name and the kind (HRBFNPR_FIELD_KIND_...) of a field of a set.  `number` is 0 ..
+   * hrbfnpr_point_set_info.field_count - 1.  `name` and `kind` may be NULL.  The name is valid while the set
+   * lives.
+   */
+  hrbfnpr_point_set_get_field(set: Pointer, number: number, name: Pointer, kind: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_point_set_view_field(const hrbfnpr_point_set* set, int64_t layer, const char* name,
+   * hrbfnpr_array* values, hrbfnpr_array* weights, hrbfnpr_error* error)
+   *
+   * Gives views of the values that a field has at the marks of one layer, without a copy.  They are valid while
+   * the set
+   * lives.
+   *
+   * values:      FLOAT32: one number for SCALAR, three for COLOUR and DIRECTION.  Count 0 = the layer has none
+   * weights:     FLOAT32: 0 .. 1 for each mark; count 0 = all are 1.  It may be NULL
+   *
+   * Errors: INVALID_ARGUMENT (no layer of the set has a field of this name).
+   */
+  hrbfnpr_point_set_view_field(set: Pointer, layer: number, name: Pointer, values: Pointer, weights: Pointer, error: Pointer): number;
+  /**
    * hrbfnpr_status hrbfnpr_point_set_step_patches(hrbfnpr_context* context, const hrbfnpr_model* model, const
    * hrbfnpr_generate_desc* desc, const hrbfnpr_array_out* corners, double* step, hrbfnpr_operation* operation,
    * hrbfnpr_error* error)
@@ -912,6 +967,57 @@ export interface Functions {
    */
   hrbfnpr_preset_name(preset: number): Pointer;
   /**
+   * hrbfnpr_status hrbfnpr_dab_init(hrbfnpr_dab* dab, uint32_t struct_size)
+   *
+   * Sets struct_size and all defaults.
+   */
+  hrbfnpr_dab_init(dab: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_field_desc_init(hrbfnpr_field_desc* desc, uint32_t struct_size)
+   *
+   * Sets every field to its default.
+   */
+  hrbfnpr_field_desc_init(desc: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_field_create(hrbfnpr_context* context, const hrbfnpr_field_desc* desc,
+   * hrbfnpr_operation* operation, hrbfnpr_field** out_field, hrbfnpr_error* error)
+   *
+   * Creates a field.
+   *
+   * operation:   may be NULL
+   *
+   * Errors: INVALID_ARGUMENT (an array is missing or has a wrong shape; the message names it).
+   */
+  hrbfnpr_field_create(context: Pointer, desc: Pointer, operation: Pointer, out_field: Pointer, error: Pointer): number;
+  /**
+   * void hrbfnpr_field_retain(const hrbfnpr_field* field)
+   *
+   * Adds a reference. Any thread.
+   */
+  hrbfnpr_field_retain(field: Pointer): void;
+  /**
+   * void hrbfnpr_field_release(const hrbfnpr_field* field)
+   *
+   * Removes a reference. Any thread.
+   */
+  hrbfnpr_field_release(field: Pointer): void;
+  /**
+   * hrbfnpr_status hrbfnpr_field_evaluate(const hrbfnpr_field* field, const hrbfnpr_array* positions, const
+   * hrbfnpr_array* normals, const hrbfnpr_array_out* values, const hrbfnpr_array_out* weights, hrbfnpr_operation*
+   * operation, hrbfnpr_error* error)
+   *
+   * Evaluates a field at places on a surface.
+   *
+   * positions:   n x 3, FLOAT32 or FLOAT64, absolute
+   * normals:     n x 3, FLOAT32 or FLOAT64, unit; may be NULL for POINTS
+   * values:      receives n x 1 (SCALAR) or n x 3, FLOAT32 or FLOAT64; 0 where the weight is 0
+   * weights:     receives n x 1, FLOAT32 or FLOAT64; may be NULL
+   * operation:   may be NULL
+   *
+   * Errors: CALLBACK (the field's function failed).
+   */
+  hrbfnpr_field_evaluate(field: Pointer, positions: Pointer, normals: Pointer, values: Pointer, weights: Pointer, operation: Pointer, error: Pointer): number;
+  /**
    * hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer,
    * hrbfnpr_error* error)
    *
@@ -985,7 +1091,7 @@ export interface Functions {
    * while these stay, for any camera, except that lights in camera space move with the camera.
    *
    * occluders:   the surfaces, in world space
-   * item:        point_set, style and transform are read
+   * item:        point_set, style and transform are read, and line_set if the style has a curvature_contrast
    * camera:      the camera of lights in camera space that cast shadows; may be NULL without such lights
    * desc:        NULL = all defaults
    *
@@ -1467,6 +1573,12 @@ export interface Functions {
    */
   hrbfnpr_page_write(context: Pointer, desc: Pointer, write: Pointer, user: Pointer, info: Pointer, operation: Pointer, error: Pointer): number;
   /**
+   * hrbfnpr_status hrbfnpr_source_field_init(hrbfnpr_source_field* field, uint32_t struct_size)
+   *
+   * Sets struct_size and all defaults.
+   */
+  hrbfnpr_source_field_init(field: Pointer, struct_size: number): number;
+  /**
    * hrbfnpr_status hrbfnpr_picture_source_init(hrbfnpr_picture_source* source, uint32_t struct_size)
    *
    * Sets struct_size and all defaults.
@@ -1478,12 +1590,6 @@ export interface Functions {
    * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_change_init(change: Pointer, struct_size: number): number;
-  /**
-   * hrbfnpr_status hrbfnpr_dab_init(hrbfnpr_dab* dab, uint32_t struct_size)
-   *
-   * Sets struct_size and all defaults.
-   */
-  hrbfnpr_dab_init(dab: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_note_init(hrbfnpr_note* note, uint32_t struct_size)
    *
@@ -1530,6 +1636,16 @@ export interface Functions {
    * Makes a picture: fits surfaces, places marks and finds lines.  It draws nothing yet.  `operation` may be NULL.
    * The
    * call needs the stack of hrbfnpr_model_fit.
+   *
+   * A field of a layer style (tone_field and so on) names values of the source (hrbfnpr_source_field), or a field
+   * of its
+   * point set.  For numbers of a source, the name may say which value becomes 0 and which becomes 1, as in
+   * "quality:0.2..0.9"; else they are the least and the greatest value that is finite.  "-quality" turns this
+   * round.
+   * A colour in place of a number is its luminance, as in HRBFNPR_FIELD_SOURCE_IMAGE.  An ink_field without a
+   * palette
+   * gets one of three inks, which a note names.
+   *
    * Errors: INVALID_ARGUMENT (a field of `desc`; a source that cannot be drawn), SINGULAR_SYSTEM, NOT_CONVERGED,
    * OUT_OF_MEMORY, CANCELLED, CALLBACK.
    */
@@ -1595,6 +1711,8 @@ export interface Functions {
    * part, hrbfnpr_error* error)
    *
    * Gets one surface of a picture.  `number` is 0 .. hrbfnpr_picture_info.parts - 1; the largest surface is 0.
+   * The last
+   * one is the ground, if the picture has one.
    * Errors: INVALID_ARGUMENT (no such part).
    */
   hrbfnpr_picture_get_part(picture: Pointer, number: number, part: Pointer, error: Pointer): number;

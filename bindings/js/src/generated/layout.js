@@ -179,7 +179,7 @@ export const STRUCTS = {
     d2: ["arrayOut", 104],
     confidence: ["arrayOut", 136],
   } },
-  hrbfnpr_cast_desc: { size: 56, sized: true, fields: {
+  hrbfnpr_cast_desc: { size: 72, sized: true, fields: {
     maximumHits: ["i32", 4],
     evaluationLimit: ["i32", 8],
     tMin: ["f64", 16],
@@ -187,6 +187,8 @@ export const STRUCTS = {
     lipschitz: ["f64", 32],
     smallestStep: ["f64", 40],
     tolerance: ["f64", 48],
+    lineSet: ["handle", 56, "hrbfnpr_line_set"],
+    refine: ["u32", 60],
   } },
   hrbfnpr_ray_hits: { size: 208, sized: true, fields: {
     count: ["arrayOut", 8],
@@ -238,7 +240,7 @@ export const STRUCTS = {
     sheets: ["i64", 32],
     lipschitz: ["f64", 40],
   } },
-  hrbfnpr_layer_desc: { size: 192, sized: true, fields: {
+  hrbfnpr_layer_desc: { size: 200, sized: true, fields: {
     kind: ["u32", 4, 0, "LAYER_KIND"],
     name: ["text", 8],
     budget: ["i64", 16],
@@ -264,6 +266,8 @@ export const STRUCTS = {
     guideDirection: ["f64", 152, 3],
     guideWeight: ["f64", 176],
     toneSmoothing: ["f64", 184],
+    densityField: ["handle", 192, "hrbfnpr_field"],
+    directionField: ["handle", 196, "hrbfnpr_field"],
   } },
   hrbfnpr_generate_desc: { size: 120, sized: true, fields: {
     distribution: ["u32", 4, 0, "DISTRIBUTION"],
@@ -296,7 +300,7 @@ export const STRUCTS = {
     layers: ["list", 12, "hrbfnpr_layer_arrays", 16, 24],
     randomSeed: ["u64", 32],
   } },
-  hrbfnpr_point_set_info: { size: 136, sized: true, fields: {
+  hrbfnpr_point_set_info: { size: 144, sized: true, fields: {
     distribution: ["u32", 4, 0, "DISTRIBUTION"],
     seedSource: ["u32", 8],
     layers: ["i64", 16],
@@ -308,6 +312,7 @@ export const STRUCTS = {
     secondsSeeds: ["f64", 112],
     secondsTotal: ["f64", 120],
     bytes: ["i64", 128],
+    fieldCount: ["i64", 136],
   } },
   hrbfnpr_layer_info: { size: 120, sized: true, fields: {
     kind: ["u32", 4, 0, "LAYER_KIND"],
@@ -326,6 +331,11 @@ export const STRUCTS = {
     droppedStrayed: ["i64", 32],
     droppedDegenerate: ["i64", 40],
     droppedBudget: ["i64", 48],
+  } },
+  hrbfnpr_mark_field: { size: 20, sized: true, fields: {
+    name: ["text", 8],
+    field: ["handle", 12, "hrbfnpr_field"],
+    transform: ["address", 16],
   } },
   hrbfnpr_line_desc: { size: 160, sized: true, fields: {
     kind: ["u32", 4, 0, "LINE_KIND"],
@@ -373,7 +383,7 @@ export const STRUCTS = {
     softness: ["f32", 20],
     place: ["f64", 24, 3],
   } },
-  hrbfnpr_layer_style: { size: 116, sized: true, fields: {
+  hrbfnpr_layer_style: { size: 144, sized: true, fields: {
     kind: ["u32", 4, 0, "LAYER_KIND"],
     name: ["text", 8],
     shown: ["u32", 12],
@@ -396,6 +406,13 @@ export const STRUCTS = {
     hatchWobble: ["f32", 100],
     hatchOvershoot: ["f32", 104],
     hatchSeed: ["u32", 108],
+    densityField: ["text", 116],
+    toneField: ["text", 120],
+    widthField: ["text", 124],
+    inkField: ["text", 128],
+    maskField: ["text", 132],
+    toneFieldRule: ["u32", 136, 0, "FIELD_RULE"],
+    paletteRule: ["u32", 140, 0, "PALETTE"],
   } },
   hrbfnpr_line_style: { size: 160, sized: true, fields: {
     kind: ["u32", 4, 0, "LINE_KIND"],
@@ -425,7 +442,7 @@ export const STRUCTS = {
     wobbleSeed: ["u32", 152],
     creases: ["u32", 156, 0, "CREASES"],
   } },
-  hrbfnpr_style: { size: 344, sized: true, fields: {
+  hrbfnpr_style: { size: 368, sized: true, fields: {
     tone: ["u32", 4, 0, "TONE"],
     paper: ["f32", 8, 4],
     layers: ["list", 24, "hrbfnpr_layer_style", 32, 40],
@@ -468,6 +485,33 @@ export const STRUCTS = {
     toneWhite: ["f32", 332],
     toneGamma: ["f32", 336],
     toneSteps: ["u32", 340],
+    curvatureContrast: ["f32", 344],
+    palette: ["address", 352],
+    paletteCount: ["i64", 360],
+  } },
+  hrbfnpr_dab: { size: 104, sized: true, fields: {
+    map: ["u32", 4, 0, "DAB"],
+    position: ["f64", 8, 3],
+    normal: ["f64", 32, 3],
+    radius: ["f64", 56],
+    strength: ["f64", 64],
+    value: ["f64", 72],
+    direction: ["f64", 80, 3],
+  } },
+  hrbfnpr_field_desc: { size: 184, sized: true, fields: {
+    kind: ["u32", 4, 0, "FIELD_KIND"],
+    source: ["u32", 8, 0, "FIELD_SOURCE"],
+    flags: ["u32", 12],
+    range: ["f64", 16, 2],
+    points: ["array", 32, 3],
+    triangles: ["array", 64, 3],
+    values: ["array", 96, 3],
+    reach: ["f64", 128],
+    function: ["callback", 136, "hrbfnpr_field_fn", 140],
+    dabs: ["list", 144, "hrbfnpr_dab", 152, 160],
+    image: ["pointer", 168, "hrbfnpr_image"],
+    camera: ["pointer", 172, "hrbfnpr_camera"],
+    occluders: ["handle", 176, "hrbfnpr_occluders"],
   } },
   hrbfnpr_layer_pose: { size: 112, sized: true, fields: {
     layer: ["i64", 8],
@@ -485,11 +529,12 @@ export const STRUCTS = {
     lineSet: ["handle", 176, "hrbfnpr_line_set"],
     shading: ["handle", 180, "hrbfnpr_shading"],
   } },
-  hrbfnpr_shading_desc: { size: 32, sized: true, fields: {
+  hrbfnpr_shading_desc: { size: 40, sized: true, fields: {
     skyRays: ["i32", 4],
     shadowRays: ["i32", 8],
     occlusionReach: ["f64", 16],
     previous: ["handle", 24, "hrbfnpr_shading"],
+    curvatureScale: ["f64", 32],
   } },
   hrbfnpr_drawing_info: { size: 256, sized: true, fields: {
     items: ["i64", 8],
@@ -524,7 +569,7 @@ export const STRUCTS = {
     lineRefined: ["i64", 240],
     lineTangles: ["i64", 248],
   } },
-  hrbfnpr_drawing_layer_info: { size: 128, sized: true, fields: {
+  hrbfnpr_drawing_layer_info: { size: 136, sized: true, fields: {
     markClass: ["u32", 4, 0, "CLASS"],
     item: ["i64", 8],
     layer: ["i64", 16],
@@ -534,6 +579,7 @@ export const STRUCTS = {
     ink: ["f32", 96, 4],
     dots: ["i64", 112],
     strokes: ["i64", 120],
+    inkNumber: ["i32", 128],
   } },
   hrbfnpr_raster_desc: { size: 136, sized: true, fields: {
     flags: ["u32", 4],
@@ -749,7 +795,12 @@ export const STRUCTS = {
     seconds: ["f64", 104],
     filledPaths: ["i64", 112],
   } },
-  hrbfnpr_picture_source: { size: 224, sized: true, fields: {
+  hrbfnpr_source_field: { size: 48, sized: true, fields: {
+    kind: ["u32", 4, 0, "FIELD_KIND"],
+    name: ["text", 8],
+    values: ["array", 16, 3],
+  } },
+  hrbfnpr_picture_source: { size: 240, sized: true, fields: {
     flags: ["u32", 4],
     points: ["array", 8, 3],
     normals: ["array", 40, 3],
@@ -763,19 +814,11 @@ export const STRUCTS = {
     columns: ["i64", 200],
     rows: ["i64", 208],
     name: ["text", 216],
+    fields: ["list", 220, "hrbfnpr_source_field", 224, 232],
   } },
   hrbfnpr_change: { size: 16, sized: true, fields: {
     field: ["text", 8],
     value: ["text", 12],
-  } },
-  hrbfnpr_dab: { size: 104, sized: true, fields: {
-    map: ["u32", 4, 0, "DAB"],
-    position: ["f64", 8, 3],
-    normal: ["f64", 32, 3],
-    radius: ["f64", 56],
-    strength: ["f64", 64],
-    value: ["f64", 72],
-    direction: ["f64", 80, 3],
   } },
   hrbfnpr_note: { size: 96, sized: true, fields: {
     code: ["u32", 4, 0, "NOTE"],
@@ -795,7 +838,7 @@ export const STRUCTS = {
     says: ["text", 32],
     note: ["pointer", 36, "hrbfnpr_note"],
   } },
-  hrbfnpr_picture_desc: { size: 440, sized: true, fields: {
+  hrbfnpr_picture_desc: { size: 456, sized: true, fields: {
     flags: ["u32", 4],
     sources: ["list", 8, "hrbfnpr_picture_source", 16, 24],
     preset: ["u32", 32, 0, "PRESET"],
@@ -841,6 +884,8 @@ export const STRUCTS = {
     lines: ["text", 424],
     scaleBar: ["text", 428],
     onEvent: ["callback", 432, "hrbfnpr_picture_event_fn", 436],
+    ground: ["u32", 440, 0, "PICTURE_GROUND"],
+    groundHeight: ["f64", 448],
   } },
   hrbfnpr_source_info: { size: 472, sized: true, fields: {
     kind: ["u32", 4, 0, "SOURCE_KIND"],
@@ -980,7 +1025,7 @@ export const OFFSETS = {
   hrbfnpr_projection: {struct_size: 0, reserved: 4, position: 8, normal: 40, status: 72, converged: 104},
   hrbfnpr_curvature: {struct_size: 0, reserved: 4, k1: 8, k2: 40, d1: 72, d2: 104, confidence: 136},
   hrbfnpr_cast_desc: {struct_size: 0, maximum_hits: 4, evaluation_limit: 8, reserved: 12, t_min: 16, t_max: 24,
-    lipschitz: 32, smallest_step: 40, tolerance: 48},
+    lipschitz: 32, smallest_step: 40, tolerance: 48, line_set: 56, refine: 60, reserved2: 64},
   hrbfnpr_ray_hits: {struct_size: 0, reserved: 4, count: 8, t: 40, position: 72, normal: 104, entering: 136, status:
     168, hit_rays: 200},
   hrbfnpr_trim_desc: {struct_size: 0, reserved: 4, limit: 8, hole: 16, closest: 24, points: 32, normals: 64},
@@ -995,7 +1040,7 @@ export const OFFSETS = {
     32, second_tone_end: 36, flags: 40, density: 44, density_strength: 48, density_function: 56, density_user: 60,
     direction_function: 64, direction_user: 68, guide: 72, start: 76, start_level: 80, levels: 84, separation: 88,
     step: 96, angle: 104, smoothing: 112, axis: 120, axis_weight: 144, guide_direction: 152, guide_weight: 176,
-    tone_smoothing: 184},
+    tone_smoothing: 184, density_field: 192, direction_field: 196},
   hrbfnpr_generate_desc: {struct_size: 0, distribution: 4, layers: 8, layer_count: 16, layer_stride: 24,
     shared_budget: 32, tone_ranges: 40, seed_source: 44, seed_points: 48, box_jitter: 80, box_resolution: 88,
     reserved: 92, initial_step: 96, projection_tolerance: 104, random_seed: 112},
@@ -1004,11 +1049,13 @@ export const OFFSETS = {
   hrbfnpr_point_set_desc: {struct_size: 0, reserved: 4, base: 8, layers: 12, layer_count: 16, layer_stride: 24,
     random_seed: 32},
   hrbfnpr_point_set_info: {struct_size: 0, distribution: 4, seed_source: 8, reserved: 12, layers: 16, marks: 24,
-    origin: 32, bounds_min: 56, bounds_max: 80, spacing: 104, seconds_seeds: 112, seconds_total: 120, bytes: 128},
+    origin: 32, bounds_min: 56, bounds_max: 80, spacing: 104, seconds_seeds: 112, seconds_total: 120, bytes: 128,
+    field_count: 136},
   hrbfnpr_layer_info: {struct_size: 0, kind: 4, name: 8, marks: 72, strokes: 80, full_count: 88, levels: 96, reserved:
     100, step: 104, seconds: 112},
   hrbfnpr_placement_info: {struct_size: 0, reserved: 4, attempted: 8, placed: 16, dropped_not_converged: 24,
     dropped_strayed: 32, dropped_degenerate: 40, dropped_budget: 48},
+  hrbfnpr_mark_field: {struct_size: 0, reserved: 4, name: 8, field: 12, transform: 16},
   hrbfnpr_line_desc: {struct_size: 0, kind: 4, name: 8, lower: 16, upper: 24, shortest: 32, plane: 40, levels: 64,
     position: 96, line_first: 128},
   hrbfnpr_line_set_desc: {struct_size: 0, flags: 4, cell_size: 8, seed_points: 16, lines: 48, line_count: 56,
@@ -1020,7 +1067,9 @@ export const OFFSETS = {
   hrbfnpr_layer_style: {struct_size: 0, kind: 4, name: 8, shown: 12, contours: 16, directions: 20, shape: 24, share:
     28, radius: 32, radius_zoom: 36, reserved: 40, ink: 44, hatch_tone_begin: 60, hatch_tone_end: 64,
     hatch_coverage_begin: 68, hatch_coverage_end: 72, hatch_spacing: 76, hatch_pen: 80, hatch_white: 84, hatch_taper:
-    88, hatch_shortest: 92, reserved2: 96, hatch_wobble: 100, hatch_overshoot: 104, hatch_seed: 108, reserved3: 112},
+    88, hatch_shortest: 92, reserved2: 96, hatch_wobble: 100, hatch_overshoot: 104, hatch_seed: 108, reserved3: 112,
+    density_field: 116, tone_field: 120, width_field: 124, ink_field: 128, mask_field: 132, tone_field_rule: 136,
+    palette_rule: 140},
   hrbfnpr_line_style: {struct_size: 0, kind: 4, name: 8, hidden: 12, cap: 16, width: 20, taper: 24, hidden_width: 28,
     hidden_opacity: 32, dash: 36, gap: 40, shortest: 44, fade: 48, lower: 56, upper: 64, levels: 72, ink: 104,
     outline_factor: 120, far_factor: 124, lit_factor: 128, curvature_factor: 132, curvature_radius: 136, wobble: 140,
@@ -1033,12 +1082,17 @@ export const OFFSETS = {
     208, line_count: 216, line_stride: 224, fill_light: 232, reserved2: 236, light_intensity: 240, light_shadow: 244,
     light_softness: 248, reserved3: 252, lights: 256, light_count: 264, light_stride: 272, ambient_up: 280,
     ambient_sky: 304, ambient_ground: 308, occlusion: 312, occlusion_exponent: 316, rim_light: 320, rim_exponent: 324,
-    tone_black: 328, tone_white: 332, tone_gamma: 336, tone_steps: 340},
+    tone_black: 328, tone_white: 332, tone_gamma: 336, tone_steps: 340, curvature_contrast: 344, reserved4: 348,
+    palette: 352, palette_count: 360},
+  hrbfnpr_dab: {struct_size: 0, map: 4, position: 8, normal: 32, radius: 56, strength: 64, value: 72, direction: 80},
+  hrbfnpr_field_desc: {struct_size: 0, kind: 4, source: 8, flags: 12, range: 16, points: 32, triangles: 64, values:
+    96, reach: 128, function: 136, user: 140, dabs: 144, dab_count: 152, dab_stride: 160, image: 168, camera: 172,
+    occluders: 176},
   hrbfnpr_layer_pose: {struct_size: 0, reserved: 4, layer: 8, position: 16, normal: 48, direction: 80},
   hrbfnpr_item: {struct_size: 0, sides: 4, point_set: 8, style: 12, model: 16, transform: 24, poses: 152, pose_count:
     160, pose_stride: 168, line_set: 176, shading: 180},
-  hrbfnpr_shading_desc: {struct_size: 0, sky_rays: 4, shadow_rays: 8, reserved: 12, occlusion_reach: 16, previous:
-    24},
+  hrbfnpr_shading_desc: {struct_size: 0, sky_rays: 4, shadow_rays: 8, reserved: 12, occlusion_reach: 16, previous: 24,
+    curvature_scale: 32},
   hrbfnpr_drawing_info: {struct_size: 0, reserved: 4, items: 8, layers: 16, dots: 24, strokes: 32, stroke_points: 40,
     marks: 48, outside: 56, front: 64, back: 72, silhouette: 80, culled: 88, shown: 96, dropped_tone: 104,
     dropped_depth: 112, dropped_zoom: 120, dropped_hidden: 128, splats: 136, nanoseconds_classify: 144,
@@ -1046,7 +1100,7 @@ export const OFFSETS = {
     192, line_crossings: 200, line_broken: 208, line_settled: 216, line_contradictions: 224, nanoseconds_lines: 232,
     line_refined: 240, line_tangles: 248},
   hrbfnpr_drawing_layer_info: {struct_size: 0, mark_class: 4, item: 8, layer: 16, kind: 24, shape: 28, name: 32, ink:
-    96, dots: 112, strokes: 120},
+    96, dots: 112, strokes: 120, ink_number: 128, reserved: 132},
   hrbfnpr_raster_desc: {struct_size: 0, flags: 4, host_depth: 8, depth: 40, id: 72, mark_class: 104},
   hrbfnpr_vertex_attribute: {struct_size: 0, attribute: 4, scalar: 8, offset: 12},
   hrbfnpr_vertex_layout: {struct_size: 0, primitive: 4, attributes: 8, attribute_count: 16, attribute_stride: 24,
@@ -1089,10 +1143,11 @@ export const OFFSETS = {
   hrbfnpr_page_info: {struct_size: 0, reserved: 4, bytes: 8, groups: 16, paths: 24, segments: 32, dots: 40, joined:
     48, dropped_paths: 56, dropped_dots: 64, width: 72, height: 80, drawn: 88, travelled: 96, seconds: 104,
     filled_paths: 112},
+  hrbfnpr_source_field: {struct_size: 0, kind: 4, name: 8, values: 16},
   hrbfnpr_picture_source: {struct_size: 0, flags: 4, points: 8, normals: 40, triangles: 72, sharp_edges: 104, model:
-    136, point_set: 140, up: 144, up_by: 168, viewpoint: 176, columns: 200, rows: 208, name: 216},
+    136, point_set: 140, up: 144, up_by: 168, viewpoint: 176, columns: 200, rows: 208, name: 216, fields: 220,
+    field_count: 224, field_stride: 232},
   hrbfnpr_change: {struct_size: 0, reserved: 4, field: 8, value: 12},
-  hrbfnpr_dab: {struct_size: 0, map: 4, position: 8, normal: 32, radius: 56, strength: 64, value: 72, direction: 80},
   hrbfnpr_note: {struct_size: 0, code: 4, severity: 8, figure_count: 12, figures: 16, text: 80, advice: 84, detail:
     88},
   hrbfnpr_picture_event: {struct_size: 0, stage: 4, fraction: 8, seconds: 16, name: 24, doing: 28, says: 32, note:
@@ -1104,7 +1159,7 @@ export const OFFSETS = {
     264, turn_frames: 272, normals: 276, samples: 280, tolerance: 288, maximum_centres: 296, parts: 304, edges: 308,
     edge_angle: 312, crease_angle: 320, subdivide: 328, profile: 332, viewpoint: 336, depth_smoothing: 360,
     random_seed: 368, mark_kinds: 376, seed_points: 384, hatch_angle: 416, lines: 424, scale_bar: 428, on_event: 432,
-    event_user: 436},
+    event_user: 436, ground: 440, reserved: 444, ground_height: 448},
   hrbfnpr_source_info: {struct_size: 0, kind: 4, severity: 8, normals_look: 12, points: 16, triangles: 24, no_data:
     32, strays: 40, points_not_finite: 48, duplicates: 56, bounds_min: 64, bounds_max: 88, diagonal: 112, up: 120,
     has_normals: 144, along_curves: 148, looks_down: 152, reserved: 156, normals_zero: 160, normals_not_finite: 168,

@@ -2,16 +2,18 @@
 // Made by bindings/generate from bindings/api.json; do not edit.
 
 import type { CapName, ClassName, CreasesName, CsgName, DabName, DensityName, DepthName, DistributionName,
-  DotShapeName, EdgesName, FacesName, HatchGuideName, HiddenLinesName, HiddenPartsName, InstructionSetName,
-  KernelName, LayerKindName, LightKindName, LightName, LineKindName, LineTypeName, LogName, NormalsLookName,
-  NormalsName, NoteName, OutwardName, PageFormatName, PartsName, PictureEdgesName, PictureSidesName, PresetName,
-  PrimitiveName, ProfileName, RegularizationName, RepairName, ScalarName, SeedName, SeverityName, ShapeName,
-  SidesName, SolverName, SolverReasonName, SourceKindName, StageName, StrokeStartName, ThreadBackendName,
-  ToneCurveName, ToneName, ToneRangesName, ToneRuleName, TrimName, VertexAttributeName, ViewsAngleName,
-  ViewsHiddenName, VisibilityName, WidthsName, WordingName } from "./constants.js";
+  DotShapeName, EdgesName, FacesName, FieldKindName, FieldRuleName, FieldSourceName, HatchGuideName, HiddenLinesName,
+  HiddenPartsName, InstructionSetName, KernelName, LayerKindName, LightKindName, LightName, LineKindName,
+  LineTypeName, LogName, NormalsLookName, NormalsName, NoteName, OutwardName, PageFormatName, PaletteName, PartsName,
+  PictureEdgesName, PictureGroundName, PictureSidesName, PresetName, PrimitiveName, ProfileName, RegularizationName,
+  RepairName, ScalarName, SeedName, SeverityName, ShapeName, SidesName, SolverName, SolverReasonName, SourceKindName,
+  StageName, StrokeStartName, ThreadBackendName, ToneCurveName, ToneName, ToneRangesName, ToneRuleName, TrimName,
+  VertexAttributeName, ViewsAngleName, ViewsHiddenName, VisibilityName, WidthsName, WordingName } from
+  "./constants.js";
 import type { Pointer } from "./functions.js";
-import type { AllocateFn, ArrayInput, ArrayOutput, DeallocateFn, DensityFn, DirectionFn, Drawing, ImplicitFn, LineSet,
-  LogFn, Mesh, Model, Numbers, PictureEventFn, PointSet, RunTasksFn, Settings, Shading, ToneFn } from "../index.js";
+import type { AllocateFn, ArrayInput, ArrayOutput, DeallocateFn, DensityFn, DirectionFn, Drawing, Field, FieldFn,
+  ImplicitFn, LineSet, LogFn, Mesh, Model, Numbers, Occluders, PictureEventFn, PointSet, RunTasksFn, Settings,
+  Shading, ToneFn } from "../index.js";
 
 /** How a context works. */
 export interface ContextDesc {
@@ -461,6 +463,16 @@ export interface CastDesc {
   smallestStep?: number;
   /** accuracy of the place of a hit along its ray, in diagonals; above 0; default 1e-9 */
   tolerance?: number;
+  /**
+   * a line set of this model, whose mesh the rays meet first; default NULL = rays are searched without a mesh. It
+   * is read only during the call
+   */
+  lineSet?: LineSet;
+  /**
+   * 1 = the hits on the mesh are moved along their rays to f = 0; 0 = they stay on the mesh, with the mean normals
+   * of its corners. Used with line_set; default 1
+   */
+  refine?: number;
 }
 
 /**
@@ -722,6 +734,18 @@ export interface LayerDesc {
    * All kinds.
    */
   toneSmoothing?: number;
+  /**
+   * SCALAR: the density of DENSITY_FIELD, clamped to 0 .. 1; 1 where the field has no value. A place with the
+   * weight w has 1 + w (value - 1); default NULL
+   *
+   * Fields, in the coordinates of the model.
+   */
+  densityField?: Field;
+  /**
+   * DIRECTION: the directions that lines of HATCH follow. Where its weight is below 0.5, lines follow the
+   * smoothest field between; default NULL. It excludes direction_function
+   */
+  directionField?: Field;
 }
 
 /** The layers of marks to make. */
@@ -830,8 +854,10 @@ export interface PointSetInfo {
   readonly secondsSeeds: number;
   /** time of the whole call */
   readonly secondsTotal: number;
-  /** memory that the set keeps */
+  /** memory that the set keeps, with what it shares with other sets */
   readonly bytes: number;
+  /** number of fields whose values the set holds */
+  readonly fieldCount: number;
 }
 
 /** What a layer holds. */
@@ -871,6 +897,16 @@ export interface PlacementInfo {
   readonly droppedDegenerate: number;
   /** number of candidates over the layer's budget */
   readonly droppedBudget: number;
+}
+
+/** A field whose values marks get. */
+export interface MarkField {
+  /** name for styles; UTF-8, 1 to 63 bytes, copied; not NULL */
+  name?: string;
+  /** where the values come from; default NULL = the set gets none of this name, and loses those that it has */
+  field?: Field;
+  /** 16 doubles: object to field, column-major, affine and invertible; default NULL = the identity */
+  transform?: Pointer;
 }
 
 /** Lines to find once, when the line set is made. */
@@ -1094,6 +1130,37 @@ export interface LayerStyle {
   hatchOvershoot?: number;
   /** seed of hatch_wobble and hatch_overshoot; any number; default 0 */
   hatchSeed?: number;
+  /**
+   * SCALAR: the share of marks that is shown is multiplied by the value, clamped to 0 .. 1. With SHAPE_HATCH, the
+   * darkness is multiplied
+   *
+   * Fields of the point set, by their names (hrbfnpr_point_set_with_fields).  They are read during _draw only;
+   * default
+   * NULL = none.  A value v with the weight w changes what it acts on from x to x + w (v' - x), where v' is what v
+   * alone gives.  Layers without values of a field are drawn without it.  If no layer of a set has it, drawing
+   * fails
+   * with INVALID_ARGUMENT.  Fields have no effect with VISIBILITY_PUBLISHED.
+   */
+  densityField?: string;
+  /**
+   * SCALAR: changes the tone tau, 1 = light, 0 = dark, as tone_field_rule says. REPLACE clamps the value to 0 ..
+   * 1, SCALE to 0 .. 16, and the result is clamped to 0 .. 1
+   */
+  toneField?: string;
+  /** SCALAR: radii and widths are multiplied by the value, clamped to 0 .. 16; 0 leaves marks out */
+  widthField?: string;
+  /**
+   * COLOUR: each mark takes an ink of the style's palette, as palette_rule says. Marks with a weight below 0.5
+   * take `ink`. Strokes are cut where their ink changes, except that parts shorter than twice their width take the
+   * ink of the part before
+   */
+  inkField?: string;
+  /** SCALAR: marks with a value below 0.5 are left out, and strokes end there */
+  maskField?: string;
+  /** HRBFNPR_FIELD_RULE_...; default REPLACE */
+  toneFieldRule?: FieldRuleName | number;
+  /** HRBFNPR_PALETTE_...; default NEAREST */
+  paletteRule?: PaletteName | number;
 }
 
 /**
@@ -1374,6 +1441,101 @@ export interface Style {
    * size
    */
   toneSteps?: number;
+  /**
+   * light that ridges and hills add, and that hollows take away: it is multiplied by a number from -1 to 1, tanh(3
+   * H scale) of the mean curvature H, which is above 0 on a ball; 0 .. 16; default 0. It has an effect on items
+   * whose shading was made with it (hrbfnpr_shading_desc.curvature_scale)
+   */
+  curvatureContrast?: number;
+  /**
+   * inks for ink_field, palette_count x 4, straight RGBA in [0, 1], sRGB-encoded; default NULL. It is read during
+   * _draw only
+   */
+  palette?: Pointer;
+  /** number of inks; 0 .. 8; default 0. An ink_field needs at least one */
+  paletteCount?: number;
+}
+
+/**
+ * A dab of a brush: a ball on the surface in which what is painted moves towards a value.  Dabs act one after
+ * the
+ * other.
+ */
+export interface Dab {
+  /** what it paints, HRBFNPR_DAB_...; default TONE */
+  map?: DabName | number;
+  /** middle of the ball, in coordinates of the source */
+  position?: Numbers;
+  /** unit normal of the surface there; surface that faces away from it is not painted */
+  normal?: Numbers;
+  /** radius of the ball, in units of the source; above 0 */
+  radius?: number;
+  /** strength in the middle, 0 .. 1; default 1. It falls to 0 at the radius */
+  strength?: number;
+  /** value of TONE and DENSITY, 0 .. 1; default 0 */
+  value?: number;
+  /** direction of DIRECTION, which hatching follows */
+  direction?: Numbers;
+}
+
+/** What a field is made from. */
+export interface FieldDesc {
+  /** HRBFNPR_FIELD_KIND_...; default SCALAR */
+  kind?: FieldKindName | number;
+  /** HRBFNPR_FIELD_SOURCE_...; default POINTS */
+  source?: FieldSourceName | number;
+  /** reserved; 0 */
+  flags?: number;
+  /**
+   * SCALAR: range[0] becomes 0, range[1] becomes 1, and values are clamped; range[0] may be the larger one.
+   * Default 0, 0 = values stay as they are
+   */
+  range?: Numbers;
+  /**
+   * n x 3, FLOAT32 or FLOAT64; 1 or more
+   *
+   * POINTS.
+   */
+  points?: ArrayInput;
+  /**
+   * m x 3, INT32, INT64 or UINT32: numbers of points. Not given: a place has the value of the nearest point.
+   * Given: it has the value of the nearest place of the triangles, interpolated between their corners
+   */
+  triangles?: ArrayInput;
+  /**
+   * n x 1 (SCALAR) or n x 3, FLOAT32, FLOAT64 or UINT8; UINT8 colours are 0 .. 255. Directions are interpolated as
+   * lines without a sign. Colours are clamped to 0 .. 1
+   */
+  values?: ArrayInput;
+  /**
+   * distance from the points or triangles beyond which a place has no value; 0 or more; default 0 = there is no
+   * such distance
+   */
+  reach?: number;
+  /**
+   * gives the values
+   *
+   * FUNCTION.
+   */
+  function?: FieldFn;
+  /**
+   * a list, copied. All act, one after the other, whatever their `map`. SCALAR takes `value`, DIRECTION takes
+   * `direction`, COLOUR takes `direction` as r, g, b
+   *
+   * DABS.
+   */
+  dabs?: readonly Dab[];
+  /**
+   * the image, copied. COLOUR takes its colour, SCALAR its luminance Y' = 0.2126 R' + 0.7152 G' + 0.0722 B'. Alpha
+   * is the weight. COVERAGE8 and DIRECTION are refused
+   *
+   * IMAGE.  A place outside the image, one that faces away from the camera, and one that is hidden has no value.
+   */
+  image?: Image;
+  /** the camera along which it is projected, in the coordinates of the field. The image fills its viewport */
+  camera?: Camera;
+  /** surfaces that hide places from the camera, in the coordinates of the field; default NULL = none */
+  occluders?: Occluders;
 }
 
 /** The marks of one layer as they are in this drawing, for an animated surface. */
@@ -1434,9 +1596,16 @@ export interface ShadingDesc {
   occlusionReach?: number;
   /**
    * a shading of the same item and the same occluders, but for other lights, whose occlusion is taken; default
-   * NULL = occlusion is computed. sky_rays and occlusion_reach then have no effect
+   * NULL = occlusion is computed. sky_rays and occlusion_reach then have no effect. Its curvature is taken, too,
+   * if it has one
    */
   previous?: Shading;
+  /**
+   * distance over which curvature is measured, in diagonals of the box around the item's surface; 0 .. 1; default
+   * 0.02; 0 = it is not measured. It is measured if the item's style has a curvature_contrast, over at least about
+   * a cell of the item's line set
+   */
+  curvatureScale?: number;
 }
 
 /**
@@ -1536,6 +1705,11 @@ export interface DrawingLayerInfo {
   readonly dots: number;
   /** strokes of the layer */
   readonly strokes: number;
+  /**
+   * number of the ink in the style's palette; -1 = the layer's own ink. Each ink that marks of a layer take is a
+   * layer of the drawing of its own
+   */
+  readonly inkNumber: number;
 }
 
 /**
@@ -1955,7 +2129,11 @@ export interface Pen {
   width?: number;
   /** colour of the ink, straight RGBA; default alpha 0 = as drawn */
   ink?: Numbers;
-  /** number of a plotter's pen, 1 .. 255; default 1 */
+  /**
+   * number of a plotter's pen, 1 .. 255; default 1. If the pen is for several groups, each ink of a style's
+   * palette has a pen of its own: the group "stipples ink 1" has number + 1, and so on. Without any pen, the
+   * numbers begin at 1
+   */
   number?: number;
 }
 
@@ -2067,6 +2245,19 @@ export interface PageInfo {
   readonly filledPaths: number;
 }
 
+/** Values of a source's points, such as the colours or a quality that a file has at its vertices. */
+export interface SourceField {
+  /** HRBFNPR_FIELD_KIND_...; default SCALAR */
+  kind?: FieldKindName | number;
+  /** name for styles; UTF-8, 1 to 63 bytes, copied; not NULL */
+  name?: string;
+  /**
+   * values, one for each point; n x 1 (SCALAR) or n x 3, FLOAT32, FLOAT64 or UINT8; UINT8 colours are 0 .. 255. A
+   * point with a value that is not finite has none
+   */
+  values?: ArrayInput;
+}
+
 /**
  * What is drawn, of one of four kinds: points (with or without normals), a mesh (points and triangles), a model,
  * or a
@@ -2108,6 +2299,12 @@ export interface PictureSource {
   rows?: number;
   /** name of the file, for titles and metadata, UTF-8; default NULL */
   name?: string;
+  /**
+   * a list of values of the points or vertices, copied; default NULL. Places on the surface have those of the
+   * nearest place of the mesh, or of the nearest point. A layer style that names one gets it, see
+   * hrbfnpr_picture_create
+   */
+  fields?: readonly SourceField[];
 }
 
 /**
@@ -2118,6 +2315,14 @@ export interface PictureSource {
  *    style.layers.F     the same for all layers of the style; share is multiplied
  *    style.lines.F      a field of hrbfnpr_line_style, for all lines
  *    style.LINE.F       the same for one kind of lines: style.ridge.width
+ *    style.palette      inks for ink fields, #rrggbb with commas between; empty = three inks are chosen from the
+ * colours
+ *    style.field        what fields of the source change, as USE=NAME with commas between:
+ * "tone=quality,ink=rgb".  USE
+ *                       is tone, density, width, ink, mask or direction.  The first five set
+ * style.layers.tone_field
+ *                       and so on, the last sets marks.direction_field.  Without a NAME, the use ends
+ *    marks.direction_field  name of a DIRECTION field of the source, which hatching follows
  *    fit.F              a field of hrbfnpr_fit_desc
  *    mesh_fit.F         a field of hrbfnpr_mesh_fit_desc
  *    marks.F            a field of hrbfnpr_generate_desc
@@ -2135,28 +2340,6 @@ export interface Change {
    * constant without its prefix, such as "blue-noise"
    */
   value?: string;
-}
-
-/**
- * A dab of a brush: a ball on the surface in which what is painted moves towards a value.  Dabs act one after
- * the
- * other.
- */
-export interface Dab {
-  /** what it paints, HRBFNPR_DAB_...; default TONE */
-  map?: DabName | number;
-  /** middle of the ball, in coordinates of the source */
-  position?: Numbers;
-  /** unit normal of the surface there; surface that faces away from it is not painted */
-  normal?: Numbers;
-  /** radius of the ball, in units of the source; above 0 */
-  radius?: number;
-  /** strength in the middle, 0 .. 1; default 1. It falls to 0 at the radius */
-  strength?: number;
-  /** value of TONE and DENSITY, 0 .. 1; default 0 */
-  value?: number;
-  /** direction of DIRECTION, which hatching follows */
-  direction?: Numbers;
 }
 
 /** A note: something that was chosen, repaired, left out or measured, or that may be wrong. */
@@ -2360,6 +2543,17 @@ export interface PictureDesc {
   scaleBar?: string;
   /** gets events for as long as the picture lives; default NULL */
   onEvent?: PictureEventFn;
+  /**
+   * whether the picture has a ground, and where, HRBFNPR_PICTURE_GROUND_...; default NONE
+   *
+   * Ground.
+   */
+  ground?: PictureGroundName | number;
+  /**
+   * height of the ground with GROUND_HEIGHT, along the unit vector of the up direction, in units of the source;
+   * default 0
+   */
+  groundHeight?: number;
 }
 
 /**

@@ -329,7 +329,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_cast_desc>() == 56);
+    assert!(size_of::<hrbfnpr_cast_desc>() == either(72, 72, 68));
     assert!(align_of::<hrbfnpr_cast_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -344,6 +344,9 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_cast_desc, lipschitz) == 32);
     assert!(offset_of!(hrbfnpr_cast_desc, smallest_step) == 40);
     assert!(offset_of!(hrbfnpr_cast_desc, tolerance) == 48);
+    assert!(offset_of!(hrbfnpr_cast_desc, line_set) == 56);
+    assert!(offset_of!(hrbfnpr_cast_desc, refine) == either(64, 60, 60));
+    assert!(offset_of!(hrbfnpr_cast_desc, reserved2) == either(68, 64, 64));
 };
 
 const _: () = {
@@ -451,7 +454,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_layer_desc>() == either(208, 192, 188));
+    assert!(size_of::<hrbfnpr_layer_desc>() == either(224, 200, 196));
     assert!(align_of::<hrbfnpr_layer_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -485,6 +488,8 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_layer_desc, guide_direction) == either(168, 152, 148));
     assert!(offset_of!(hrbfnpr_layer_desc, guide_weight) == either(192, 176, 172));
     assert!(offset_of!(hrbfnpr_layer_desc, tone_smoothing) == either(200, 184, 180));
+    assert!(offset_of!(hrbfnpr_layer_desc, density_field) == either(208, 192, 188));
+    assert!(offset_of!(hrbfnpr_layer_desc, direction_field) == either(216, 196, 192));
 };
 
 const _: () = {
@@ -549,7 +554,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_point_set_info>() == 136);
+    assert!(size_of::<hrbfnpr_point_set_info>() == 144);
     assert!(align_of::<hrbfnpr_point_set_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -568,6 +573,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_point_set_info, seconds_seeds) == 112);
     assert!(offset_of!(hrbfnpr_point_set_info, seconds_total) == 120);
     assert!(offset_of!(hrbfnpr_point_set_info, bytes) == 128);
+    assert!(offset_of!(hrbfnpr_point_set_info, field_count) == 136);
 };
 
 const _: () = {
@@ -604,6 +610,20 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_placement_info, dropped_strayed) == 32);
     assert!(offset_of!(hrbfnpr_placement_info, dropped_degenerate) == 40);
     assert!(offset_of!(hrbfnpr_placement_info, dropped_budget) == 48);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_mark_field>() == either(32, 20, 20));
+    assert!(align_of::<hrbfnpr_mark_field>() == either(8, 4, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_mark_field, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_mark_field, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_mark_field, name) == 8);
+    assert!(offset_of!(hrbfnpr_mark_field, field) == either(16, 12, 12));
+    assert!(offset_of!(hrbfnpr_mark_field, transform) == either(24, 16, 16));
 };
 
 const _: () = {
@@ -696,7 +716,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_layer_style>() == either(120, 116, 116));
+    assert!(size_of::<hrbfnpr_layer_style>() == either(168, 144, 144));
     assert!(align_of::<hrbfnpr_layer_style>() == either(8, 4, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -728,6 +748,13 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_layer_style, hatch_overshoot) == either(108, 104, 104));
     assert!(offset_of!(hrbfnpr_layer_style, hatch_seed) == either(112, 108, 108));
     assert!(offset_of!(hrbfnpr_layer_style, reserved3) == either(116, 112, 112));
+    assert!(offset_of!(hrbfnpr_layer_style, density_field) == either(120, 116, 116));
+    assert!(offset_of!(hrbfnpr_layer_style, tone_field) == either(128, 120, 120));
+    assert!(offset_of!(hrbfnpr_layer_style, width_field) == either(136, 124, 124));
+    assert!(offset_of!(hrbfnpr_layer_style, ink_field) == either(144, 128, 128));
+    assert!(offset_of!(hrbfnpr_layer_style, mask_field) == either(152, 132, 132));
+    assert!(offset_of!(hrbfnpr_layer_style, tone_field_rule) == either(160, 136, 136));
+    assert!(offset_of!(hrbfnpr_layer_style, palette_rule) == either(164, 140, 140));
 };
 
 const _: () = {
@@ -767,7 +794,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_style>() == either(352, 344, 332));
+    assert!(size_of::<hrbfnpr_style>() == either(376, 368, 352));
     assert!(align_of::<hrbfnpr_style>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -826,6 +853,53 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_style, tone_white) == either(340, 332, 320));
     assert!(offset_of!(hrbfnpr_style, tone_gamma) == either(344, 336, 324));
     assert!(offset_of!(hrbfnpr_style, tone_steps) == either(348, 340, 328));
+    assert!(offset_of!(hrbfnpr_style, curvature_contrast) == either(352, 344, 332));
+    assert!(offset_of!(hrbfnpr_style, reserved4) == either(356, 348, 336));
+    assert!(offset_of!(hrbfnpr_style, palette) == either(360, 352, 340));
+    assert!(offset_of!(hrbfnpr_style, palette_count) == either(368, 360, 344));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_dab>() == 104);
+    assert!(align_of::<hrbfnpr_dab>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_dab, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_dab, map) == 4);
+    assert!(offset_of!(hrbfnpr_dab, position) == 8);
+    assert!(offset_of!(hrbfnpr_dab, normal) == 32);
+    assert!(offset_of!(hrbfnpr_dab, radius) == 56);
+    assert!(offset_of!(hrbfnpr_dab, strength) == 64);
+    assert!(offset_of!(hrbfnpr_dab, value) == 72);
+    assert!(offset_of!(hrbfnpr_dab, direction) == 80);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_field_desc>() == either(200, 184, 164));
+    assert!(align_of::<hrbfnpr_field_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_field_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_field_desc, kind) == 4);
+    assert!(offset_of!(hrbfnpr_field_desc, source) == 8);
+    assert!(offset_of!(hrbfnpr_field_desc, flags) == 12);
+    assert!(offset_of!(hrbfnpr_field_desc, range) == 16);
+    assert!(offset_of!(hrbfnpr_field_desc, points) == 32);
+    assert!(offset_of!(hrbfnpr_field_desc, triangles) == either(64, 64, 60));
+    assert!(offset_of!(hrbfnpr_field_desc, values) == either(96, 96, 88));
+    assert!(offset_of!(hrbfnpr_field_desc, reach) == either(128, 128, 116));
+    assert!(offset_of!(hrbfnpr_field_desc, function) == either(136, 136, 124));
+    assert!(offset_of!(hrbfnpr_field_desc, user) == either(144, 140, 128));
+    assert!(offset_of!(hrbfnpr_field_desc, dabs) == either(152, 144, 132));
+    assert!(offset_of!(hrbfnpr_field_desc, dab_count) == either(160, 152, 136));
+    assert!(offset_of!(hrbfnpr_field_desc, dab_stride) == either(168, 160, 144));
+    assert!(offset_of!(hrbfnpr_field_desc, image) == either(176, 168, 152));
+    assert!(offset_of!(hrbfnpr_field_desc, camera) == either(184, 172, 156));
+    assert!(offset_of!(hrbfnpr_field_desc, occluders) == either(192, 176, 160));
 };
 
 const _: () = {
@@ -864,7 +938,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_shading_desc>() == either(32, 32, 28));
+    assert!(size_of::<hrbfnpr_shading_desc>() == either(40, 40, 36));
     assert!(align_of::<hrbfnpr_shading_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -876,6 +950,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_shading_desc, reserved) == 12);
     assert!(offset_of!(hrbfnpr_shading_desc, occlusion_reach) == 16);
     assert!(offset_of!(hrbfnpr_shading_desc, previous) == 24);
+    assert!(offset_of!(hrbfnpr_shading_desc, curvature_scale) == either(32, 32, 28));
 };
 
 const _: () = {
@@ -921,7 +996,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_drawing_layer_info>() == 128);
+    assert!(size_of::<hrbfnpr_drawing_layer_info>() == 136);
     assert!(align_of::<hrbfnpr_drawing_layer_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -937,6 +1012,8 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_drawing_layer_info, ink) == 96);
     assert!(offset_of!(hrbfnpr_drawing_layer_info, dots) == 112);
     assert!(offset_of!(hrbfnpr_drawing_layer_info, strokes) == 120);
+    assert!(offset_of!(hrbfnpr_drawing_layer_info, ink_number) == 128);
+    assert!(offset_of!(hrbfnpr_drawing_layer_info, reserved) == 132);
 };
 
 const _: () = {
@@ -1329,7 +1406,20 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_picture_source>() == either(232, 224, 200));
+    assert!(size_of::<hrbfnpr_source_field>() == either(48, 48, 40));
+    assert!(align_of::<hrbfnpr_source_field>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_source_field, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_source_field, kind) == 4);
+    assert!(offset_of!(hrbfnpr_source_field, name) == 8);
+    assert!(offset_of!(hrbfnpr_source_field, values) == either(16, 16, 12));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_picture_source>() == either(256, 240, 220));
     assert!(align_of::<hrbfnpr_picture_source>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -1349,6 +1439,9 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_picture_source, columns) == either(208, 200, 180));
     assert!(offset_of!(hrbfnpr_picture_source, rows) == either(216, 208, 188));
     assert!(offset_of!(hrbfnpr_picture_source, name) == either(224, 216, 196));
+    assert!(offset_of!(hrbfnpr_picture_source, fields) == either(232, 220, 200));
+    assert!(offset_of!(hrbfnpr_picture_source, field_count) == either(240, 224, 204));
+    assert!(offset_of!(hrbfnpr_picture_source, field_stride) == either(248, 232, 212));
 };
 
 const _: () = {
@@ -1362,23 +1455,6 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_change, reserved) == 4);
     assert!(offset_of!(hrbfnpr_change, field) == 8);
     assert!(offset_of!(hrbfnpr_change, value) == either(16, 12, 12));
-};
-
-const _: () = {
-    assert!(size_of::<hrbfnpr_dab>() == 104);
-    assert!(align_of::<hrbfnpr_dab>() == either(8, 8, 4));
-};
-#[cfg(not(hrbfnpr_no_offset_of))]
-const _: () = {
-    use core::mem::offset_of;
-    assert!(offset_of!(hrbfnpr_dab, struct_size) == 0);
-    assert!(offset_of!(hrbfnpr_dab, map) == 4);
-    assert!(offset_of!(hrbfnpr_dab, position) == 8);
-    assert!(offset_of!(hrbfnpr_dab, normal) == 32);
-    assert!(offset_of!(hrbfnpr_dab, radius) == 56);
-    assert!(offset_of!(hrbfnpr_dab, strength) == 64);
-    assert!(offset_of!(hrbfnpr_dab, value) == 72);
-    assert!(offset_of!(hrbfnpr_dab, direction) == 80);
 };
 
 const _: () = {
@@ -1416,7 +1492,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_picture_desc>() == either(472, 440, 420));
+    assert!(size_of::<hrbfnpr_picture_desc>() == either(488, 456, 436));
     assert!(align_of::<hrbfnpr_picture_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -1475,6 +1551,9 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_picture_desc, scale_bar) == either(448, 428, 408));
     assert!(offset_of!(hrbfnpr_picture_desc, on_event) == either(456, 432, 412));
     assert!(offset_of!(hrbfnpr_picture_desc, event_user) == either(464, 436, 416));
+    assert!(offset_of!(hrbfnpr_picture_desc, ground) == either(472, 440, 420));
+    assert!(offset_of!(hrbfnpr_picture_desc, reserved) == either(476, 444, 424));
+    assert!(offset_of!(hrbfnpr_picture_desc, ground_height) == either(480, 448, 428));
 };
 
 const _: () = {

@@ -157,6 +157,18 @@
 //! that has a line set, and a
 //! style that lists `lines`, is drawn with curves.  The method is described in docs/how-lines-work.md.
 //!
+//! # FIELDS: values on a surface; immutable
+//!
+//! A field gives each place of a surface a value and a weight.  The value is a number, a
+//! colour or a direction.  The
+//! weight is 0 where the field says nothing, and up to 1.  Values come from points or a mesh,
+//! from a function, from dabs
+//! of a brush, or from an image that is projected along a camera.
+//!
+//! A field sets where marks are made (hrbfnpr_layer_desc).  hrbfnpr_point_set_with_fields
+//! keeps its values at the marks
+//! of a set, and a layer's style says what they change.
+//!
 //! # RENDERER: from items and a camera to a drawing [NPAR 6]
 //!
 //! A renderer is the scratch memory of one thread.  It keeps a few of its last drawings, and
@@ -1476,6 +1488,13 @@ pub const HRBFNPR_RAY_EVALUATION_LIMIT: u32 = 3;
 /// f or its gradient is not finite; earlier hits are kept
 pub const HRBFNPR_RAY_NOT_FINITE: u32 = 4;
 
+/// The lines of one model, and its mesh.
+#[repr(C)]
+pub struct hrbfnpr_line_set {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
 /// How rays are cast.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
@@ -1499,6 +1518,13 @@ pub struct hrbfnpr_cast_desc {
     pub smallest_step: f64,
     /// accuracy of the place of a hit along its ray, in diagonals; above 0; default 1e-9
     pub tolerance: f64,
+    /// a line set of this model, whose mesh the rays meet first; default NULL = rays are searched
+    /// without a mesh. It is read only during the call
+    pub line_set: *const hrbfnpr_line_set,
+    /// 1 = the hits on the mesh are moved along their rays to f = 0; 0 = they stay on the mesh,
+    /// with the mean normals of its corners. Used with line_set; default 1
+    pub refine: u32,
+    pub reserved2: u32,
 }
 
 extern "C" {
@@ -1548,6 +1574,14 @@ extern "C" {
     /// It finds the same hits within the tolerance.  The last bits depend on whether n is
     /// enough for that, but not on the other rays or on earlier calls.
     ///
+    /// With line_set, each ray first meets the mesh of the line set, whose box tree is made
+    /// in the first such call.  Newton's method then moves the hits to f = 0, as
+    /// hrbfnpr_model_evaluate computes it (refine 1).  If a hit does not lead there within a
+    /// cell of the mesh, its ray is searched as without a mesh.  Parts of the surface that the
+    /// mesh does not have are missed: those smaller than a cell, and those where a ray passes
+    /// between the surface and its mesh, near its outline.  lipschitz, smallest_step and
+    /// evaluation_limit are used only for the rays that are searched.
+    ///
     /// origins:      n x 3, FLOAT32 or FLOAT64, finite
     /// directions:   n x 3, FLOAT32 or FLOAT64, finite, of any length but 0
     /// desc:         NULL = all defaults
@@ -1555,7 +1589,8 @@ extern "C" {
     /// operation:    may be NULL
     ///
     /// Errors: INVALID_ARGUMENT: NaN, infinity, a zero direction, different counts of
-    /// origins and directions, or a direction so short that the t of a hit is infinite.
+    /// origins and directions, a direction so short that the t of a hit is infinite, or a
+    /// line_set of another model.
     pub fn hrbfnpr_model_cast_rays(
         model: *const hrbfnpr_model,
         origins: *const hrbfnpr_array,
@@ -1913,6 +1948,13 @@ pub struct hrbfnpr_point_set {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
+/// A handle to values on a surface, see hrbfnpr_field_create.  It never changes.
+#[repr(C)]
+pub struct hrbfnpr_field {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
 // The kind of a layer's marks.  Later versions may add kinds: treat an unknown one
 // like OWN.
 /// for styles only: layers of every kind
@@ -1978,6 +2020,8 @@ pub const HRBFNPR_DENSITY_UNIFORM: u32 = 0;
 pub const HRBFNPR_DENSITY_CURVATURE: u32 = 1;
 /// the density of density_function
 pub const HRBFNPR_DENSITY_CALLBACK: u32 = 2;
+/// the density of density_field
+pub const HRBFNPR_DENSITY_FIELD: u32 = 3;
 
 /// Gives a density on the surface: 1 where marks lie closest, 0 where there are none.
 /// Larger numbers count as 1.  A negative number or NaN fails the call with CALLBACK, and
@@ -2119,6 +2163,14 @@ pub struct hrbfnpr_layer_desc {
     ///
     /// All kinds.
     pub tone_smoothing: f64,
+    /// SCALAR: the density of DENSITY_FIELD, clamped to 0 .. 1; 1 where the field has no value. A
+    /// place with the weight w has 1 + w (value - 1); default NULL
+    ///
+    /// Fields, in the coordinates of the model.
+    pub density_field: *const hrbfnpr_field,
+    /// DIRECTION: the directions that lines of HATCH follow. Where its weight is below 0.5, lines
+    /// follow the smoothest field between; default NULL. It excludes direction_function
+    pub direction_field: *const hrbfnpr_field,
 }
 
 extern "C" {
@@ -2345,8 +2397,10 @@ pub struct hrbfnpr_point_set_info {
     pub seconds_seeds: f64,
     /// time of the whole call
     pub seconds_total: f64,
-    /// memory that the set keeps
+    /// memory that the set keeps, with what it shares with other sets
     pub bytes: i64,
+    /// number of fields whose values the set holds
+    pub field_count: i64,
 }
 
 extern "C" {
@@ -2455,6 +2509,77 @@ extern "C" {
         out_view: *mut hrbfnpr_array,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
+}
+
+/// A field whose values marks get.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_mark_field {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// name for styles; UTF-8, 1 to 63 bytes, copied; not NULL
+    pub name: *const c_char,
+    /// where the values come from; default NULL = the set gets none of this name, and loses those
+    /// that it has
+    pub field: *const hrbfnpr_field,
+    /// 16 doubles: object to field, column-major, affine and invertible; default NULL = the identity
+    pub transform: *const f64,
+}
+
+extern "C" {
+    /// Sets every field to its default.
+    pub fn hrbfnpr_mark_field_init(
+        field: *mut hrbfnpr_mark_field,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// Creates a point set that has the same marks as `set`, and values of fields for them.
+    /// Values that `set` has stay,
+    /// except those of a name in the list.  The marks are shared, not copied, and the fields may
+    /// be released.  The values are
+    /// saved and loaded with the set.  A hrbfnpr_shading of `set` is one of the new set, too.
+    ///
+    /// fields:      a list; no name occurs twice
+    /// operation:   may be NULL
+    ///
+    /// Errors: INVALID_ARGUMENT (the set would have more than 64 fields).  CALLBACK (the function
+    /// of a field failed).
+    pub fn hrbfnpr_point_set_with_fields(
+        context: *mut hrbfnpr_context,
+        set: *const hrbfnpr_point_set,
+        fields: *const hrbfnpr_mark_field,
+        field_count: i64,
+        field_stride: i64,
+        operation: *mut hrbfnpr_operation,
+        out_point_set: *mut *mut hrbfnpr_point_set,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Gets the name and the kind (HRBFNPR_FIELD_KIND_...) of a field of a set.  `number` is 0 ..
+    /// hrbfnpr_point_set_info.field_count - 1.  `name` and `kind` may be NULL.  The name is valid
+    /// while the set lives.
+    pub fn hrbfnpr_point_set_get_field(
+        set: *const hrbfnpr_point_set,
+        number: i64,
+        name: *mut *const c_char,
+        kind: *mut u32,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Gives views of the values that a field has at the marks of one layer, without a copy.
+    /// They are valid while the set
+    /// lives.
+    ///
+    /// values:      FLOAT32: one number for SCALAR, three for COLOUR and DIRECTION.  Count 0 =
+    /// the layer has none
+    /// weights:     FLOAT32: 0 .. 1 for each mark; count 0 = all are 1.  It may be NULL
+    ///
+    /// Errors: INVALID_ARGUMENT (no layer of the set has a field of this name).
+    pub fn hrbfnpr_point_set_view_field(
+        set: *const hrbfnpr_point_set,
+        layer: i64,
+        name: *const c_char,
+        values: *mut hrbfnpr_array,
+        weights: *mut hrbfnpr_array,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
     /// Makes squares that show how large the initial step of PUBLISHED is [NPAR 5.1, Figure 5].
     /// Each square has sides of 2 * initial_step and lies in the tangent plane of a random seed.
     /// The seeds, and the estimate if initial_step is 0, are those that
@@ -2517,13 +2642,6 @@ extern "C" {
 }
 
 // 8  LINE SET: the lines of a model's surface; immutable
-
-/// The lines of one model.
-#[repr(C)]
-pub struct hrbfnpr_line_set {
-    _data: [u8; 0],
-    _marker: PhantomData<(*mut u8, PhantomPinned)>,
-}
 
 // Kinds of lines.  Kinds marked "once" are found when the line set is made, for each element of
 // hrbfnpr_line_set_desc.lines.  BORDER and CREASE are found then, too, without an element.
@@ -2943,6 +3061,18 @@ pub const HRBFNPR_SHAPE_STROKES: u32 = 1;
 /// 2001]
 pub const HRBFNPR_SHAPE_HATCH: u32 = 2;
 
+// What tone_field does to the tone.
+/// the tone becomes the value
+pub const HRBFNPR_FIELD_RULE_REPLACE: u32 = 0;
+/// the tone is multiplied by the value
+pub const HRBFNPR_FIELD_RULE_SCALE: u32 = 1;
+
+// Which inks of a palette the marks of an ink_field take.
+/// each mark takes the ink that is nearest to its colour [Oklab, Ottosson 2020]
+pub const HRBFNPR_PALETTE_NEAREST: u32 = 0;
+/// neighbouring marks take the two or three inks whose mean is the colour
+pub const HRBFNPR_PALETTE_MIXED: u32 = 1;
+
 /// How layers of marks are drawn.  Colours are straight RGBA in [0, 1], sRGB-encoded.
 /// Lengths in pixels are those of
 /// the picture.
@@ -3010,6 +3140,32 @@ pub struct hrbfnpr_layer_style {
     /// seed of hatch_wobble and hatch_overshoot; any number; default 0
     pub hatch_seed: u32,
     pub reserved3: u32,
+    /// SCALAR: the share of marks that is shown is multiplied by the value, clamped to 0 .. 1.
+    /// With SHAPE_HATCH, the darkness is multiplied
+    ///
+    /// Fields of the point set, by their names (hrbfnpr_point_set_with_fields).  They are read
+    /// during _draw only; default
+    /// NULL = none.  A value v with the weight w changes what it acts on from x to x + w (v' -
+    /// x), where v' is what v
+    /// alone gives.  Layers without values of a field are drawn without it.  If no layer of a set
+    /// has it, drawing fails
+    /// with INVALID_ARGUMENT.  Fields have no effect with VISIBILITY_PUBLISHED.
+    pub density_field: *const c_char,
+    /// SCALAR: changes the tone tau, 1 = light, 0 = dark, as tone_field_rule says. REPLACE clamps
+    /// the value to 0 .. 1, SCALE to 0 .. 16, and the result is clamped to 0 .. 1
+    pub tone_field: *const c_char,
+    /// SCALAR: radii and widths are multiplied by the value, clamped to 0 .. 16; 0 leaves marks out
+    pub width_field: *const c_char,
+    /// COLOUR: each mark takes an ink of the style's palette, as palette_rule says. Marks with a
+    /// weight below 0.5 take `ink`. Strokes are cut where their ink changes, except that parts
+    /// shorter than twice their width take the ink of the part before
+    pub ink_field: *const c_char,
+    /// SCALAR: marks with a value below 0.5 are left out, and strokes end there
+    pub mask_field: *const c_char,
+    /// HRBFNPR_FIELD_RULE_...; default REPLACE
+    pub tone_field_rule: u32,
+    /// HRBFNPR_PALETTE_...; default NEAREST
+    pub palette_rule: u32,
 }
 
 extern "C" {
@@ -3298,6 +3454,17 @@ pub struct hrbfnpr_style {
     /// number of flat tones, from black to white, 2 .. 6; default 0 = continuous tones. The steps
     /// of t have the same size
     pub tone_steps: u32,
+    /// light that ridges and hills add, and that hollows take away: it is multiplied by a number
+    /// from -1 to 1, tanh(3 H scale) of the mean curvature H, which is above 0 on a ball; 0 ..
+    /// 16; default 0. It has an effect on items whose shading was made with it
+    /// (hrbfnpr_shading_desc.curvature_scale)
+    pub curvature_contrast: f32,
+    pub reserved4: u32,
+    /// inks for ink_field, palette_count x 4, straight RGBA in [0, 1], sRGB-encoded; default
+    /// NULL. It is read during _draw only
+    pub palette: *const f32,
+    /// number of inks; 0 .. 8; default 0. An ink_field needs at least one
+    pub palette_count: i64,
 }
 
 extern "C" {
@@ -3364,7 +3531,191 @@ extern "C" {
     pub fn hrbfnpr_preset_name(preset: u32) -> *const c_char;
 }
 
-// 10  RENDERER: from items and a camera to a drawing [NPAR 6]
+// 10  FIELDS: values on a surface; immutable
+
+/// The surfaces that cast shadows and hide the sky, see hrbfnpr_occluders_create.  It does
+/// not change, so any threads may
+/// use it.
+#[repr(C)]
+pub struct hrbfnpr_occluders {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+// The values of a field.
+/// one number
+pub const HRBFNPR_FIELD_KIND_SCALAR: u32 = 0;
+/// three numbers: r, g, b; sRGB-encoded, 0 .. 1
+pub const HRBFNPR_FIELD_KIND_COLOUR: u32 = 1;
+/// three numbers: x, y, z. Only the tangent part counts; its sign does not
+pub const HRBFNPR_FIELD_KIND_DIRECTION: u32 = 2;
+
+// Where the values of a field come from.
+/// from values at points, or at the vertices of triangles
+pub const HRBFNPR_FIELD_SOURCE_POINTS: u32 = 0;
+/// from a function
+pub const HRBFNPR_FIELD_SOURCE_FUNCTION: u32 = 1;
+/// from dabs of a brush
+pub const HRBFNPR_FIELD_SOURCE_DABS: u32 = 2;
+/// from an image, which is projected onto the surface along a camera
+pub const HRBFNPR_FIELD_SOURCE_IMAGE: u32 = 3;
+
+// What a dab paints.
+/// the tone: 1 = light, 0 = dark
+pub const HRBFNPR_DAB_TONE: u32 = 0;
+/// the density of stipples: 1 = all, 0 = none
+pub const HRBFNPR_DAB_DENSITY: u32 = 1;
+/// the direction of hatching
+pub const HRBFNPR_DAB_DIRECTION: u32 = 2;
+
+/// A dab of a brush: a ball on the surface in which what is painted moves towards a value.
+/// Dabs act one after the
+/// other.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_dab {
+    pub struct_size: u32,
+    /// what it paints, HRBFNPR_DAB_...; default TONE
+    pub map: u32,
+    /// middle of the ball, in coordinates of the source
+    pub position: [f64; 3],
+    /// unit normal of the surface there; surface that faces away from it is not painted
+    pub normal: [f64; 3],
+    /// radius of the ball, in units of the source; above 0
+    pub radius: f64,
+    /// strength in the middle, 0 .. 1; default 1. It falls to 0 at the radius
+    pub strength: f64,
+    /// value of TONE and DENSITY, 0 .. 1; default 0
+    pub value: f64,
+    /// direction of DIRECTION, which hatching follows
+    pub direction: [f64; 3],
+}
+
+extern "C" {
+    /// Sets struct_size and all defaults.
+    pub fn hrbfnpr_dab_init(dab: *mut hrbfnpr_dab, struct_size: u32) -> hrbfnpr_status;
+}
+
+/// Gives values on a surface.  A value that is not finite, a weight outside 0 .. 1, or a
+/// result other than 0 fails the
+/// call with CALLBACK.  Where the weight is 0, the value is not read.  The function gets some
+/// thousand places at a time,
+/// on the thread that called the library.
+///
+/// positions:   count x 3, absolute
+/// normals:     count x 3, unit
+/// values:      receives count x 1 (SCALAR) or count x 3 numbers
+/// weights:     receives count numbers; they are 1 before the call
+pub type hrbfnpr_field_fn = Option<
+    unsafe extern "C" fn(
+        user: *mut c_void,
+        count: i64,
+        positions: *const f64,
+        normals: *const f64,
+        values: *mut f64,
+        weights: *mut f64,
+    ) -> i32,
+>;
+
+/// What a field is made from.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_field_desc {
+    pub struct_size: u32,
+    /// HRBFNPR_FIELD_KIND_...; default SCALAR
+    pub kind: u32,
+    /// HRBFNPR_FIELD_SOURCE_...; default POINTS
+    pub source: u32,
+    /// reserved; 0
+    pub flags: u32,
+    /// SCALAR: range[0] becomes 0, range[1] becomes 1, and values are clamped; range[0] may be
+    /// the larger one. Default 0, 0 = values stay as they are
+    pub range: [f64; 2],
+    /// n x 3, FLOAT32 or FLOAT64; 1 or more
+    ///
+    /// POINTS.
+    pub points: hrbfnpr_array,
+    /// m x 3, INT32, INT64 or UINT32: numbers of points. Not given: a place has the value of the
+    /// nearest point. Given: it has the value of the nearest place of the triangles, interpolated
+    /// between their corners
+    pub triangles: hrbfnpr_array,
+    /// n x 1 (SCALAR) or n x 3, FLOAT32, FLOAT64 or UINT8; UINT8 colours are 0 .. 255. Directions
+    /// are interpolated as lines without a sign. Colours are clamped to 0 .. 1
+    pub values: hrbfnpr_array,
+    /// distance from the points or triangles beyond which a place has no value; 0 or more;
+    /// default 0 = there is no such distance
+    pub reach: f64,
+    /// gives the values
+    ///
+    /// FUNCTION.
+    pub function: hrbfnpr_field_fn,
+    /// passed to `function`; it must stay valid while the field lives
+    pub user: *mut c_void,
+    /// a list, copied. All act, one after the other, whatever their `map`. SCALAR takes `value`,
+    /// DIRECTION takes `direction`, COLOUR takes `direction` as r, g, b
+    ///
+    /// DABS.
+    pub dabs: *const hrbfnpr_dab,
+    /// number of dabs; 0 or more
+    pub dab_count: i64,
+    /// bytes from one dab to the next; 0 = the first one's struct_size
+    pub dab_stride: i64,
+    /// the image, copied. COLOUR takes its colour, SCALAR its luminance Y' = 0.2126 R' + 0.7152
+    /// G' + 0.0722 B'. Alpha is the weight. COVERAGE8 and DIRECTION are refused
+    ///
+    /// IMAGE.  A place outside the image, one that faces away from the camera, and one that is
+    /// hidden has no value.
+    pub image: *const hrbfnpr_image,
+    /// the camera along which it is projected, in the coordinates of the field. The image fills
+    /// its viewport
+    pub camera: *const hrbfnpr_camera,
+    /// surfaces that hide places from the camera, in the coordinates of the field; default NULL = none
+    pub occluders: *const hrbfnpr_occluders,
+}
+
+extern "C" {
+    /// Sets every field to its default.
+    pub fn hrbfnpr_field_desc_init(
+        desc: *mut hrbfnpr_field_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// Creates a field.
+    ///
+    /// operation:   may be NULL
+    ///
+    /// Errors: INVALID_ARGUMENT (an array is missing or has a wrong shape; the message names it).
+    pub fn hrbfnpr_field_create(
+        context: *mut hrbfnpr_context,
+        desc: *const hrbfnpr_field_desc,
+        operation: *mut hrbfnpr_operation,
+        out_field: *mut *mut hrbfnpr_field,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Adds a reference. Any thread.
+    pub fn hrbfnpr_field_retain(field: *const hrbfnpr_field);
+    /// Removes a reference. Any thread.
+    pub fn hrbfnpr_field_release(field: *const hrbfnpr_field);
+    /// Evaluates a field at places on a surface.
+    ///
+    /// positions:   n x 3, FLOAT32 or FLOAT64, absolute
+    /// normals:     n x 3, FLOAT32 or FLOAT64, unit; may be NULL for POINTS
+    /// values:      receives n x 1 (SCALAR) or n x 3, FLOAT32 or FLOAT64; 0 where the weight is 0
+    /// weights:     receives n x 1, FLOAT32 or FLOAT64; may be NULL
+    /// operation:   may be NULL
+    ///
+    /// Errors: CALLBACK (the field's function failed).
+    pub fn hrbfnpr_field_evaluate(
+        field: *const hrbfnpr_field,
+        positions: *const hrbfnpr_array,
+        normals: *const hrbfnpr_array,
+        values: *const hrbfnpr_array_out,
+        weights: *const hrbfnpr_array_out,
+        operation: *mut hrbfnpr_operation,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+// 11  RENDERER: from items and a camera to a drawing [NPAR 6]
 
 /// The scratch memory of one thread, for drawing.
 #[repr(C)]
@@ -3473,16 +3824,6 @@ pub struct hrbfnpr_item {
 extern "C" {
     /// Sets struct_size, NULL pointers and the identity transform.
     pub fn hrbfnpr_item_init(item: *mut hrbfnpr_item, struct_size: u32) -> hrbfnpr_status;
-}
-
-/// The surfaces that cast shadows and hide the sky.  It does not change, so any threads may use it.
-#[repr(C)]
-pub struct hrbfnpr_occluders {
-    _data: [u8; 0],
-    _marker: PhantomData<(*mut u8, PhantomPinned)>,
-}
-
-extern "C" {
     /// Gathers the surfaces of all items that have a line set, at their transforms: the triangles
     /// on which lines are found.
     /// Walls thinner than a cell of the line set may let light through.  The other fields of
@@ -3520,8 +3861,12 @@ pub struct hrbfnpr_shading_desc {
     pub occlusion_reach: f64,
     /// a shading of the same item and the same occluders, but for other lights, whose occlusion
     /// is taken; default NULL = occlusion is computed. sky_rays and occlusion_reach then have no
-    /// effect
+    /// effect. Its curvature is taken, too, if it has one
     pub previous: *const hrbfnpr_shading,
+    /// distance over which curvature is measured, in diagonals of the box around the item's
+    /// surface; 0 .. 1; default 0.02; 0 = it is not measured. It is measured if the item's style
+    /// has a curvature_contrast, over at least about a cell of the item's line set
+    pub curvature_scale: f64,
 }
 
 extern "C" {
@@ -3537,7 +3882,8 @@ extern "C" {
     /// while these stay, for any camera, except that lights in camera space move with the camera.
     ///
     /// occluders:   the surfaces, in world space
-    /// item:        point_set, style and transform are read
+    /// item:        point_set, style and transform are read, and line_set if the style has a
+    /// curvature_contrast
     /// camera:      the camera of lights in camera space that cast shadows; may be NULL without
     /// such lights
     /// desc:        NULL = all defaults
@@ -3640,7 +3986,7 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-// 11  DRAWING: a picture as a value; immutable
+// 12  DRAWING: a picture as a value; immutable
 
 extern "C" {
     /// Adds a reference.  Any thread may call it; NULL is ignored.
@@ -3771,6 +4117,10 @@ pub struct hrbfnpr_drawing_layer_info {
     pub dots: i64,
     /// strokes of the layer
     pub strokes: i64,
+    /// number of the ink in the style's palette; -1 = the layer's own ink. Each ink that marks of
+    /// a layer take is a layer of the drawing of its own
+    pub ink_number: i32,
+    pub reserved: u32,
 }
 
 extern "C" {
@@ -4063,7 +4413,7 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-// 12  MESH: triangles, repaired; samples, fits and comparisons
+// 13  MESH: triangles, repaired; samples, fits and comparisons
 
 /// Triangles that have been repaired.
 #[repr(C)]
@@ -4650,7 +5000,7 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-// 13  PAGE: drawings as vectors: SVG, PDF, HPGL, G-code
+// 14  PAGE: drawings as vectors: SVG, PDF, HPGL, G-code
 
 // The format of a file.
 /// SVG 1.1, with groups as layers of Inkscape
@@ -4765,7 +5115,9 @@ pub struct hrbfnpr_pen {
     pub width: f64,
     /// colour of the ink, straight RGBA; default alpha 0 = as drawn
     pub ink: [f32; 4],
-    /// number of a plotter's pen, 1 .. 255; default 1
+    /// number of a plotter's pen, 1 .. 255; default 1. If the pen is for several groups, each ink
+    /// of a style's palette has a pen of its own: the group "stipples ink 1" has number + 1, and
+    /// so on. Without any pen, the numbers begin at 1
     pub number: u32,
     /// must be 0
     pub reserved: u32,
@@ -4938,7 +5290,7 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-// 14  PICTURE: from any source to a drawing in one call
+// 15  PICTURE: from any source to a drawing in one call
 
 /// A picture: what was chosen for sources, and made of them.
 #[repr(C)]
@@ -4961,6 +5313,28 @@ pub const HRBFNPR_SOURCE_HAS_SHARP_EDGES: u32 = 1;
 pub const HRBFNPR_SOURCE_HAS_VIEWPOINT: u32 = 2;
 /// says that the points are one image of a depth camera that stood at `viewpoint`
 pub const HRBFNPR_SOURCE_IS_PHOTO: u32 = 4;
+
+/// Values of a source's points, such as the colours or a quality that a file has at its vertices.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_source_field {
+    pub struct_size: u32,
+    /// HRBFNPR_FIELD_KIND_...; default SCALAR
+    pub kind: u32,
+    /// name for styles; UTF-8, 1 to 63 bytes, copied; not NULL
+    pub name: *const c_char,
+    /// values, one for each point; n x 1 (SCALAR) or n x 3, FLOAT32, FLOAT64 or UINT8; UINT8
+    /// colours are 0 .. 255. A point with a value that is not finite has none
+    pub values: hrbfnpr_array,
+}
+
+extern "C" {
+    /// Sets struct_size and all defaults.
+    pub fn hrbfnpr_source_field_init(
+        field: *mut hrbfnpr_source_field,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+}
 
 /// What is drawn, of one of four kinds: points (with or without normals), a mesh (points and
 /// triangles), a model, or a
@@ -5001,6 +5375,14 @@ pub struct hrbfnpr_picture_source {
     pub rows: i64,
     /// name of the file, for titles and metadata, UTF-8; default NULL
     pub name: *const c_char,
+    /// a list of values of the points or vertices, copied; default NULL. Places on the surface
+    /// have those of the nearest place of the mesh, or of the nearest point. A layer style that
+    /// names one gets it, see hrbfnpr_picture_create
+    pub fields: *const hrbfnpr_source_field,
+    /// number of `fields`; 0 .. 1000; default 0
+    pub field_count: i64,
+    /// bytes from one element of `fields` to the next; default 0 = struct_size
+    pub field_stride: i64,
 }
 
 extern "C" {
@@ -5058,6 +5440,20 @@ pub const HRBFNPR_PICTURE_SIDES_FRONT: u32 = 1;
 /// both sides (HRBFNPR_SIDES_BOTH)
 pub const HRBFNPR_PICTURE_SIDES_BOTH: u32 = 2;
 
+// The ground of a picture: a plane under the object, on which only what darkens it is drawn,
+// which is cast shadows and
+// the sky that the object hides.  Its marks are a layer named "ground", of stipples or
+// hatching as the style draws.  Open
+// ground is white.  It casts no shadow and hides nothing.  If no light of the style casts
+// shadows, the first one casts
+// them on the ground, and only there.  The ground is not drawn by cameras below it.
+/// no ground
+pub const HRBFNPR_PICTURE_GROUND_NONE: u32 = 0;
+/// at the lowest place of the object along the up direction
+pub const HRBFNPR_PICTURE_GROUND_LOWEST: u32 = 1;
+/// at ground_height along the up direction
+pub const HRBFNPR_PICTURE_GROUND_HEIGHT: u32 = 2;
+
 // How notes and errors write the options that they name.
 /// as fields of a descriptor: samples 400
 pub const HRBFNPR_WORDING_FIELDS: u32 = 0;
@@ -5074,6 +5470,14 @@ pub const HRBFNPR_WORDING_ARGUMENTS: u32 = 2;
 ///    style.layers.F     the same for all layers of the style; share is multiplied
 ///    style.lines.F      a field of hrbfnpr_line_style, for all lines
 ///    style.LINE.F       the same for one kind of lines: style.ridge.width
+///    style.palette      inks for ink fields, #rrggbb with commas between; empty = three inks
+/// are chosen from the colours
+///    style.field        what fields of the source change, as USE=NAME with commas between:
+/// "tone=quality,ink=rgb".  USE
+///                       is tone, density, width, ink, mask or direction.  The first five set
+/// style.layers.tone_field
+///                       and so on, the last sets marks.direction_field.  Without a NAME, the use ends
+///    marks.direction_field  name of a DIRECTION field of the source, which hatching follows
 ///    fit.F              a field of hrbfnpr_fit_desc
 ///    mesh_fit.F         a field of hrbfnpr_mesh_fit_desc
 ///    marks.F            a field of hrbfnpr_generate_desc
@@ -5098,42 +5502,6 @@ pub struct hrbfnpr_change {
 extern "C" {
     /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_change_init(change: *mut hrbfnpr_change, struct_size: u32) -> hrbfnpr_status;
-}
-
-// What a dab paints.
-/// the tone: 1 = light, 0 = dark
-pub const HRBFNPR_DAB_TONE: u32 = 0;
-/// the density of stipples: 1 = all, 0 = none
-pub const HRBFNPR_DAB_DENSITY: u32 = 1;
-/// the direction of hatching
-pub const HRBFNPR_DAB_DIRECTION: u32 = 2;
-
-/// A dab of a brush: a ball on the surface in which what is painted moves towards a value.
-/// Dabs act one after the
-/// other.
-#[repr(C)]
-#[derive(Debug, Clone, Copy)]
-pub struct hrbfnpr_dab {
-    pub struct_size: u32,
-    /// what it paints, HRBFNPR_DAB_...; default TONE
-    pub map: u32,
-    /// middle of the ball, in coordinates of the source
-    pub position: [f64; 3],
-    /// unit normal of the surface there; surface that faces away from it is not painted
-    pub normal: [f64; 3],
-    /// radius of the ball, in units of the source; above 0
-    pub radius: f64,
-    /// strength in the middle, 0 .. 1; default 1. It falls to 0 at the radius
-    pub strength: f64,
-    /// value of TONE and DENSITY, 0 .. 1; default 0
-    pub value: f64,
-    /// direction of DIRECTION, which hatching follows
-    pub direction: [f64; 3],
-}
-
-extern "C" {
-    /// Sets struct_size and all defaults.
-    pub fn hrbfnpr_dab_init(dab: *mut hrbfnpr_dab, struct_size: u32) -> hrbfnpr_status;
 }
 
 // The stages of the work.
@@ -5335,6 +5703,10 @@ pub const HRBFNPR_NOTE_MESH_OPEN: u32 = 74;
 pub const HRBFNPR_NOTE_SEVERAL_PARTS: u32 = 75;
 /// a source cannot be drawn; the text says why []
 pub const HRBFNPR_NOTE_NOT_USABLE: u32 = 76;
+/// no ground is drawn; the text says why []
+pub const HRBFNPR_NOTE_NO_GROUND: u32 = 77;
+/// inks are chosen from the colours of the source [inks]
+pub const HRBFNPR_NOTE_PALETTE_CHOSEN: u32 = 78;
 
 /// A note: something that was chosen, repaired, left out or measured, or that may be wrong.
 #[repr(C)]
@@ -5539,6 +5911,14 @@ pub struct hrbfnpr_picture_desc {
     pub on_event: hrbfnpr_picture_event_fn,
     /// passed to on_event; it must outlive the picture
     pub event_user: *mut c_void,
+    /// whether the picture has a ground, and where, HRBFNPR_PICTURE_GROUND_...; default NONE
+    ///
+    /// Ground.
+    pub ground: u32,
+    pub reserved: u32,
+    /// height of the ground with GROUND_HEIGHT, along the unit vector of the up direction, in
+    /// units of the source; default 0
+    pub ground_height: f64,
 }
 
 extern "C" {
@@ -5700,6 +6080,17 @@ extern "C" {
     /// Makes a picture: fits surfaces, places marks and finds lines.  It draws nothing yet.
     /// `operation` may be NULL.  The
     /// call needs the stack of hrbfnpr_model_fit.
+    ///
+    /// A field of a layer style (tone_field and so on) names values of the source
+    /// (hrbfnpr_source_field), or a field of its
+    /// point set.  For numbers of a source, the name may say which value becomes 0 and which
+    /// becomes 1, as in
+    /// "quality:0.2..0.9"; else they are the least and the greatest value that is finite.
+    /// "-quality" turns this round.
+    /// A colour in place of a number is its luminance, as in HRBFNPR_FIELD_SOURCE_IMAGE.  An
+    /// ink_field without a palette
+    /// gets one of three inks, which a note names.
+    ///
     /// Errors: INVALID_ARGUMENT (a field of `desc`; a source that cannot be drawn),
     /// SINGULAR_SYSTEM, NOT_CONVERGED,
     /// OUT_OF_MEMORY, CANCELLED, CALLBACK.
@@ -5818,7 +6209,8 @@ extern "C" {
         struct_size: u32,
     ) -> hrbfnpr_status;
     /// Gets one surface of a picture.  `number` is 0 .. hrbfnpr_picture_info.parts - 1; the
-    /// largest surface is 0.
+    /// largest surface is 0.  The last
+    /// one is the ground, if the picture has one.
     /// Errors: INVALID_ARGUMENT (no such part).
     pub fn hrbfnpr_picture_get_part(
         picture: *const hrbfnpr_picture,
@@ -5986,7 +6378,7 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-// 15  SHEETS: technical drawings in several views, to scale
+// 16  SHEETS: technical drawings in several views, to scale
 
 // Options of a sheet.
 /// draws a centre line for each plane of symmetry through the middle, in each view that sees
