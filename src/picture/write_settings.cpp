@@ -409,7 +409,7 @@ WrittenSettings write_settings(const Options& options, const PictureParts& parts
     if (options.desc.ground == HRBFNPR_PICTURE_GROUND_LOWEST) document.key("ground").add_bool(true);
     if (options.desc.ground == HRBFNPR_PICTURE_GROUND_HEIGHT)
         write_number(document.key("ground"), options.desc.ground_height, false);
-    write_style(document, options, parts, pool);
+    write_style(document, parts, pool);
     if (parts.marks != nullptr) write_marks(document, options, *parts.marks, pool);
     write_fit(document, options, pool);
     write_mesh_fit(document, options, pool);
