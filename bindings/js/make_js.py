@@ -105,14 +105,24 @@ def is_list(struct, at):
     return len(names) == 2 and names[0].endswith("_count") and names[1].endswith("_stride")
 
 
+def is_palette(struct, at):
+    """Whether a field is a pointer to colours, and the next one their number."""
+    field, after = struct["fields"][at], struct["fields"][at + 1:at + 2]
+    return (field["type"]["base"] == "float" and bool(field["type"]["pointers"])
+            and [one["name"] for one in after] == [f"{field['name']}_count"])
+
+
 def field_layout(names, struct, at):
     """Return [kind, offset, ...] of a field; None for a field that callers do not set."""
     field, offsets = struct["fields"][at], {one["name"]: one["layout"][MODEL]["offset"] for one in struct["fields"]}
     kind, offset, name = field["type"], offsets[field["name"]], field["name"]
     if (name == "struct_size" or name.startswith("reserved") or name in users(struct).values()
             or (name.endswith(("_count", "_stride")) and any(
-                is_list(struct, other) and at - other in (1, 2) for other in range(at)))):
+                is_list(struct, other) and at - other in (1, 2) for other in range(at)))
+            or (at > 0 and is_palette(struct, at - 1))):
         return None
+    if is_palette(struct, at):
+        return ["colours", offset, offsets[f"{name}_count"]]
     if kind["kind"] == "function":  # only the release function of a custom model, which src/context.js sets
         return None
     if kind["kind"] == "callback":
@@ -147,7 +157,7 @@ def ts_type(layout):
     kind = layout[0]
     if kind == "callback":
         return type_name(layout[2])
-    simple = {"array": "ArrayInput", "arrayOut": "ArrayOutput", "text": "string", "chars": "string",
+    simple = {"colours": "readonly Numbers[]", "array": "ArrayInput", "arrayOut": "ArrayOutput", "text": "string", "chars": "string",
               "address": "Pointer"}
     if kind in simple:
         return simple[kind]
@@ -262,7 +272,7 @@ def raw_type(kind):
 def options_dts(api):
     interfaces, used = [], set()
     for struct, fields in structs_of(api):
-        if struct["name"] in ("hrbfnpr_array", "hrbfnpr_array_out", "hrbfnpr_error", "hrbfnpr_image"):
+        if struct["name"] in ("hrbfnpr_array", "hrbfnpr_array_out", "hrbfnpr_error"):
             continue
         only_read = struct["name"].endswith(RESULTS)
         interfaces += [*documented(doc_of(struct)), f"export interface {type_name(struct['name'])} {{"]

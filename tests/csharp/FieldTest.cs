@@ -32,7 +32,7 @@ namespace HrbfNpr.Tests
         {
             var points = new double[] { 0, 0, 0, 4, 0, 0, 0, 4, 0 };
             var values = new double[] { 10, 50, 10 };
-            using (Field field = Field.FromPoints(points, values, new[] { 0, 1, 2 }, range: (10, 50)))
+            using (Field field = Field.FromPoints(points, values, new[] { 0, 1, 2 }, range: (10.0, 50.0)))
             {
                 Assert.Equal(FieldKind.Scalar, field.Kind);
                 double[] got = field.Evaluate(new double[] { 1, 1, 5, -3, 0, 0 }, default(ArrayView), out double[] weights);

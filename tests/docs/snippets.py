@@ -217,6 +217,7 @@ def wrong_python(root):
 
 
 CSHARP = """using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
@@ -224,7 +225,8 @@ using HrbfNpr;
 
 public static class Snippet%d
 {
-    static double[] points, normals, positions;
+    static double[] points, normals, positions, values;
+    static int[] triangles;
     static Model model;
     static PointSet marks;
     static Renderer renderer;

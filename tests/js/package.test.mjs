@@ -126,6 +126,58 @@ test("lights, occluders and shadings", () => {
   for (const handle of [below.shading, occluders, lineSet, renderer]) handle.free();
 });
 
+test("fields", () => {
+  const corners = [[0, 0, 0], [4, 0, 0], [0, 4, 0]];
+  const heat = context.createField({ points: corners, values: [10, 50, 10], triangles: [[0, 1, 2]], range: [10, 50] });
+  assert.equal(heat.fieldKind, "scalar");
+  const { values, weights } = heat.evaluate([[1, 1, 5], [-3, 0, 0]]);
+  assert.ok(Math.abs(values[0] - 0.25) < 1e-12 && values[1] === 0);
+  assert.deepEqual([...weights], [1, 1]);
+  let calls = 0;
+  const colour = context.createField({ kind: "colour", function: (positions, normals, out) => {
+    ++calls;
+    out.values.set(normals.map(Math.abs));
+    out.weights.fill(0.5);
+  } });
+  const painted = marks.withFields({ heat, colour });
+  assert.ok(calls > 0);
+  assert.deepEqual(painted.fields(), { heat: "scalar", colour: "colour" });
+  assert.deepEqual(marks.fields(), {});
+  const normals = marks.view(0, "normal");
+  const at = painted.field(0, "colour");
+  assert.equal(at.values.length, normals.length);
+  assert.ok(at.values.every((value, i) => Math.abs(value - Math.abs(normals[i])) < 1e-5));
+  assert.ok(at.weights.every((weight) => weight === 0.5));
+  assert.equal(painted.field(0, "heat").weights.length, 0);
+  const loaded = context.loadPointSet(painted.save());
+  assert.deepEqual(loaded.field(0, "colour"), at);
+  const moved = marks.withFields({ heat: null, place: context.createField({ kind: "direction", function: (positions, _, out) =>
+    void out.values.set(positions) }) }, { transform: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 9, 1] });
+  assert.ok(moved.field(0, "place").values[2] > 7.9);
+  const dabs = context.createField({ dabs: [{ position: [0, 0, 1], normal: [0, 0, 1], radius: 0.5, value: 0.75, strength: 0.5 }] });
+  assert.deepEqual([...dabs.evaluate([[0, 0, 1]], [[0, 0, 1]]).weights], [0.5]);
+  const green = { width: 3, height: 2, data: new Uint8Array([0, 255, 0, 255].flatMap((one) => Array(1).fill(one))) };
+  assert.throws(() => context.createField({ image: green, camera }), /image\.data must have 4 numbers/);
+  green.data = Uint8Array.from({ length: 24 }, (_, i) => (i % 2 === 1 ? 255 : 0));
+  const photo = marks.withFields({ photo: context.createField({ kind: "colour", image: green, camera }) }).field(0, "photo");
+  const seen = photo.weights.filter((weight) => weight > 0.9).length;
+  assert.ok(seen > 0.3 * photo.weights.length && seen < 0.7 * photo.weights.length);
+  assert.ok(photo.values.every((value, i) => Math.abs(value - (i % 3 === 1 ? photo.weights[(i - 1) / 3] : 0)) < 1e-5));
+  const wrong = context.createField({ function: () => { throw new RangeError("lost"); } });
+  assert.throws(() => marks.withFields({ wrong }), /RangeError: lost/);
+  fails(() => context.createField({ points: corners, values: [1] }), "INVALID_ARGUMENT", /values has 1 elements/);
+  fails(() => painted.field(0, "cold"), "INVALID_ARGUMENT", /no field "cold"/);
+  assert.throws(() => context.createField({ heat: 1 }), /no option "heat"/);
+  const half = context.createField({ function: (positions, _, out) =>
+    void out.values.forEach((__, i) => { if (3 * i < positions.length) out.values[i] = positions[3 * i] > 0 ? 1 : 0; }) });
+  const right = ball.generate({ layers: [{ kind: "stipples", budget: 300, density: "field", densityField: half }] });
+  assert.ok(right.view(0, "position").every((value, i) => i % 3 !== 0 || value > -1e-3));
+  const style = { ...library.style("stipple"), palette: [[1, 0, 0, 1], [0, 0, 1, 1]] };
+  const drawing = context.createRenderer().draw({ pointSet: painted, style }, camera);
+  assert.throws(() => context.createRenderer().draw({ pointSet: painted, style: { palette: [[1, 0, 0]] } }, camera), /palette\[0\]/);
+  for (const handle of [heat, colour, painted, loaded, moved, dabs, wrong, half, right, drawing]) handle.free();
+});
+
 test("lines, planes, vertices and pages of a drawing", () => {
   const lineSet = ball.createLineSet();
   const drawing = context.createRenderer().draw({ pointSet: marks, lineSet, style: library.style("contour-and-stipple") }, camera);

@@ -10,6 +10,10 @@ async function main() {
   style.lights = [{ kind: "place", place: [0, 0, 3], shadow: 1 }, { space: "item" }];
   const item = { pointSet: marks, style, lineSet: model.createLineSet() };
   const occluders = context.createOccluders([item], { onProgress: (p) => p < 0.5 });
+  const heat = context.createField({ kind: "scalar", points: [[0, 0, 0]], values: [1], range: [0, 2] });
+  const painted = item.pointSet!.withFields({ heat, cold: null });
+  const weights: Float32Array = painted.field(0, "heat").weights;
+  void weights;
   const shading = context.createShading(occluders, item, { skyRays: 16, camera: hrbf.createCamera() });
   // @ts-expect-error: there is no such kind of light
   style.lights.push({ kind: "lamp" });

@@ -20,7 +20,7 @@ namespace HrbfNpr
     /// </remarks>
     /// <example>
     /// <code>
-    /// using (var heat = Field.FromPoints(vertices, values, triangles, range: (20, 90)))
+    /// using (var heat = Field.FromPoints(vertices, values, triangles, range: (20.0, 90.0)))
     /// {
     ///     marks = marks.WithFields(new Dictionary&lt;string, Field&gt; { { "heat", heat } });
     /// }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { Call, joined } from "./call.js";
+import { Field } from "./field.js";
 import { OFFSETS } from "./generated/layout.js";
 import { Handle } from "./handle.js";
 import { LineSet } from "./line_set.js";
@@ -199,6 +200,10 @@ export class Context extends Handle {
       return new Occluders(this, operated(call, this.pointer, control, (operation) =>
         call.made("hrbfnpr_occluders_create", this.pointer, first, list.length, sizeOf("hrbfnpr_item"), operation)));
     });
+  }
+
+  createField(options, control) {
+    return Field.made(this, options, control);
   }
 
   createShading(occluders, item, { camera, ...options } = {}, control) {

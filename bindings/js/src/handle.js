@@ -33,4 +33,4 @@ export class Handle {
 }
 
 if (Symbol.dispose)
-  Object.defineProperty(Handle.prototype, Symbol.dispose, { value: Handle.prototype.free });
+  Object.defineProperty(Handle.prototype, Symbol.dispose, { value() { this.free(); } });

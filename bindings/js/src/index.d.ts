@@ -9,7 +9,7 @@ export * from "./generated/constants.js";
 export type { Functions, Pointer } from "./generated/functions.js";
 export type {
   Annotation, CastDesc, CompareDesc, Comparison, ContextDesc, ContextInfo, CsgDesc, CsgInfo, CsgNode, CustomDesc,
-  DepthImageDesc, DepthImageInfo, DrawingInfo, DrawingLayerInfo, FitDesc, GenerateDesc, Item, LayerArrays, LayerDesc,
+  Dab, DepthImageDesc, DepthImageInfo, DrawingInfo, DrawingLayerInfo, FieldDesc, FitDesc, GenerateDesc, Item, LayerArrays, LayerDesc,
   LayerInfo, LayerPose, LayerStyle, Light, LineDesc, LineSetDesc, LineSetInfo, LineStyle, MarkIdentity, MeshDesc, MeshFitDesc,
   MeshEdgesDesc, MeshFitInfo, MeshInfo, ModelInfo, OrientDesc, OrientInfo, PageDesc, PageInfo, PageItem, Pen, PictureDesc,
   PictureInfo, PicturePageDesc, PictureSource, PlacementInfo, ViewsDesc, ViewsInfo,
@@ -43,6 +43,10 @@ export type ImplicitFn = (points: Float64Array, out: {
 export type DensityFn = (positions: Float64Array, normals: Float64Array, density: Float64Array) => void;
 /** Fills `directions` (3 n numbers); (0, 0, 0) = no direction. */
 export type DirectionFn = (positions: Float64Array, normals: Float64Array, directions: Float64Array) => void;
+/** Fills `values` (n numbers for a scalar, 3 n for other kinds) and `weights` (n numbers from 0 to 1; they are 1 before
+ *  the call). */
+export type FieldFn = (positions: Float64Array, normals: Float64Array, out: {
+  values: Float64Array; weights: Float64Array }) => void;
 /** Fills `tau` (n numbers): 1 = light, 0 = dark. */
 export type ToneFn = (positions: Float32Array, normals: Float32Array, tau: Float32Array) => void;
 
@@ -162,6 +166,8 @@ export class Context extends Handle {
    *  It uses the item's point set, style and transform.  Lights in camera space that cast shadows need `camera`. */
   createShading(occluders: Occluders, item: O.Item, options?: O.ShadingDesc & { camera?: O.Camera },
                 control?: Control): Shading;
+  /** Makes a field from `points` and `values`, a `function`, `dabs`, or an `image` with a `camera`; `source` follows. */
+  createField(options: FieldOptions, control?: Control): Field;
   /** Places marks on the surface of a model.  `preset` gives the layers if `layers` is missing. */
   generate(model: Model, options?: O.GenerateDesc & { preset?: C.PresetName | number }, control?: Control): PointSet;
   /** Loads what Model.save returned. */
@@ -237,7 +243,34 @@ export class PointSet extends Handle {
   placement(layer: number, level: number): O.PlacementInfo;
   /** Copies one attribute of one layer. */
   view(layer: number, attribute: C.MarkAttributeName | number): TypedArray;
+  /** Makes a set that has the same marks, and values of fields for them.  null removes the values of a name.
+   *  `transform` leads from the marks to the fields (16 numbers, column-major). */
+  withFields(fields: Readonly<Record<string, Field | null>>, options?: { transform?: Numbers }, control?: Control): PointSet;
+  /** The kinds of the fields, by name. */
+  fields(): Record<string, C.FieldKindName>;
+  /** Copies the values and weights of a field at the marks of a layer.  No weights: all are 1. */
+  field(layer: number, name: string): { values: Float32Array; weights: Float32Array };
   save(): Uint8Array;
+}
+
+/** An image: RGBA, row by row from the top, as ImageData or { width, height, data }. */
+export interface FieldImage {
+  width: number;
+  height: number;
+  /** Bytes from 0 to 255, or numbers from 0 to 1. */
+  data: Uint8Array | Uint8ClampedArray | Float32Array;
+}
+export interface FieldOptions extends Omit<O.FieldDesc, "image" | "source" | "values"> {
+  image?: FieldImage;
+  values?: Elements;
+}
+
+/** Values on a surface: a number, a colour or a direction at each place, and a weight. */
+export class Field extends Handle {
+  readonly context: Context;
+  readonly fieldKind: C.FieldKindName;
+  /** Returns the values at places, and their weights.  Fields of points do not need normals. */
+  evaluate(positions: Elements, normals?: Elements, control?: Control): { values: Float64Array; weights: Float64Array };
 }
 
 /** Holds what the lines of one model are drawn from, for every camera. */

@@ -58,6 +58,7 @@ export { Context } from "./context.js";
 export { Drawing } from "./drawing.js";
 export { Handle } from "./handle.js";
 export { HrbfnprError } from "./errors.js";
+export { Field } from "./field.js";
 export { Library } from "./library.js";
 export { LineSet } from "./line_set.js";
 export { Mesh } from "./mesh.js";

@@ -72,8 +72,18 @@ function setList(call, base, [, offset, name, count, stride], value, what) {
   data.setBigInt64(base + stride, BigInt(size), true);
 }
 
+function setColours(call, base, [, offset, count], value, what) {
+  const numbers = Array.from(value, (colour, at) => {
+    if (colour.length !== 4) throw new TypeError(`${what}[${at}] must be 4 numbers: red, green, blue and opacity`);
+    return Array.from(colour);
+  });
+  call.setPointer(base + offset, call.bytes(Float32Array.from(numbers.flat())));
+  call.library.views.data.setBigInt64(base + count, BigInt(numbers.length), true);
+}
+
 function setField(call, base, layout, value, what) {
   const [kind, offset, count, group] = layout;
+  if (kind === "colours") return setColours(call, base, layout, value, what);
   if (kind === "list") return setList(call, base, layout, value, what);
   if (kind === "callback") {
     const [address, user] = call.callback(count, value, what);
