@@ -62,8 +62,10 @@ struct Surroundings {
 
 [[nodiscard]] Surroundings surroundings_of(const base::Work& work, const Casters& casters, const ShadedItem& item) {
     Surroundings all{casters, surface_of(*item.lines, item.to_world), -1, std::nullopt, {}};
+    const implicit::Implicit* const surface = &item.lines->surface();
     for (std::int64_t i = 0; i < casters.caster.size() && all.number < 0; ++i)
-        if (casters.caster[i].lines == item.lines && casters.caster[i].to_world == item.to_world) all.number = i;
+        if (&casters.caster[i].lines->surface() == surface && casters.caster[i].to_world == item.to_world)
+            all.number = i;
     if (all.number < 0) {
         const Caster receiver{&item.lines->mesh(), item.to_world, item.lines};
         all.single.emplace(casters_of(work.without_progress(), {&receiver, 1}));
