@@ -1837,8 +1837,9 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* contex
 
 /* Kinds of lines.  Kinds marked "once" are found when the line set is made, for each element of
  * hrbfnpr_line_set_desc.lines.  BORDER and CREASE are found then, too, without an element.  All others are found for
- * every drawing.  The strength says how marked a line is at a place.  It has no unit, because lengths are measured in
- * diagonals of the model.  Kinds marked WITH_CURVATURE need a line set with that flag. */
+ * every drawing, except SHADOW and TERMINATOR, which are found with a shading.  The strength says how marked a line is
+ * at a place.  It has no unit, because lengths are measured in diagonals of the model.  Kinds marked WITH_CURVATURE
+ * need a line set with that flag. */
 enum {
     HRBFNPR_LINE_KIND_CONTOUR = 1,            /* occluding contours: the line of sight is tangent to the surface
                                                  there */
@@ -1858,10 +1859,16 @@ enum {
     HRBFNPR_LINE_KIND_BORDER = 9,             /* curves where the surface ends: at the search box, or beyond the last
                                                  samples (hrbfnpr_line_set_desc.support) */
     HRBFNPR_LINE_KIND_OWN = 10,               /* polylines of the caller, such as creases of a mesh; once */
-    HRBFNPR_LINE_KIND_CREASE = 11             /* edges and grooves in which smooth sheets of the surface meet, in models
+    HRBFNPR_LINE_KIND_CREASE = 11,            /* edges and grooves in which smooth sheets of the surface meet, in models
                                                  that have them.  Strength: the angle between the normals of both
                                                  sheets, in degrees.  Where one sheet faces the eye and the other faces
                                                  away, the crease is part of the CONTOUR and is drawn as CONTOUR */
+    HRBFNPR_LINE_KIND_SHADOW = 12,            /* borders of the shadows that fall on the item, of lights with a shadow;
+                                                 for items whose shading has HRBFNPR_SHADING_WITH_LINES.  Strength: the
+                                                 light's `shadow` */
+    HRBFNPR_LINE_KIND_TERMINATOR = 13         /* borders between light and shade where the item turns away from a light
+                                                 with a shadow, n . l = 0, and nothing else shades the place; as SHADOW
+                                                 */
 };
 
 /* Lines to find once, when the line set is made. */
@@ -2659,12 +2666,17 @@ HRBFNPR_API void hrbfnpr_occluders_retain(const hrbfnpr_occluders* occluders);
 /* Releases a reference.  Any thread may call it; NULL is ignored. */
 HRBFNPR_API void hrbfnpr_occluders_release(const hrbfnpr_occluders* occluders);
 
+/* Flags of hrbfnpr_shading_desc. */
+enum {
+    HRBFNPR_SHADING_WITH_LINES = 1 /* lines of the kinds SHADOW and TERMINATOR are found, for items with a line_set */
+};
+
 /* How a shading is computed. */
 typedef struct hrbfnpr_shading_desc {
     uint32_t struct_size;
     int32_t sky_rays;       /* number of rays by which a mark sees the sky; 1 .. 4096; default 64.  Larger: less noise */
     int32_t shadow_rays;    /* number of rays by which a mark in a penumbra sees a light; 1 .. 4096; default 32 */
-    uint32_t reserved;
+    uint32_t flags;         /* HRBFNPR_SHADING_...; default 0 */
     double occlusion_reach; /* distance beyond which nothing hides the sky, in diagonals of the box around all occluders;
                                0 .. 100; default 0.35; 0 = the whole sky is seen everywhere.  What is nearer hides the
                                more, the nearer it is: 1 - distance / reach */
@@ -2683,12 +2695,18 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_shading_desc_init(hrbfnpr_shading_desc* desc,
  * The result holds for the item's point set, its transform, the lights of its style, and the occluders.  It stays valid
  * while these stay, for any camera, except that lights in camera space move with the camera.
  *
+ * With HRBFNPR_SHADING_WITH_LINES it also finds the borders of shadows on the item, as exact curves: outlines that a
+ * light sees of the occluders, carried along its rays to the first surface.  Borders inside another shadow, and those
+ * shorter than 0.01 diagonals of all occluders, are left out.  Soft lights have the borders of their middle.  An item
+ * shows the lines if its style has line styles of the kinds SHADOW and TERMINATOR.
+ *
  * occluders:   the surfaces, in world space
- * item:        point_set, style and transform are read, and line_set if the style has a curvature_contrast
+ * item:        point_set, style and transform are read, and line_set with HRBFNPR_SHADING_WITH_LINES or if the style
+ *              has a curvature_contrast.  It need not be one of the occluders; then it casts no shadow itself
  * camera:      the camera of lights in camera space that cast shadows; may be NULL without such lights
  * desc:        NULL = all defaults
  *
- * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+ * Errors: INVALID_ARGUMENT (for example WITH_LINES without a line_set), OUT_OF_MEMORY, CANCELLED, CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_shading_create(hrbfnpr_context* context, const hrbfnpr_occluders* occluders,
                                                   const hrbfnpr_item* item, const hrbfnpr_camera* camera,
                                                   const hrbfnpr_shading_desc* desc, hrbfnpr_operation* operation,
@@ -3398,8 +3416,9 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, cons
  *
  * Ink is in named groups, the layers of a file.  The group of a layer of marks has that layer's name, such as
  * "stipples" or "hatch-2".  Groups of lines are called "contour", "suggestive", "ridge", "valley", "apparent ridge",
- * "parabolic", "isophote", "section", "border", "crease", or have the name of lines of kind OWN.  Ink behind n layers
- * of surface has " hidden n" at the end of its name.  A second layer of the same name has " 2".
+ * "parabolic", "isophote", "section", "border", "crease", "shadow", "terminator", or have the name of lines of kind
+ * OWN.  Ink behind n layers of surface has " hidden n" at the end of its name.  A second layer of the same name has
+ * " 2".
  *
  * Groups follow the layers of the drawing, hidden ones first.  In a group strokes are in order from far to near.  Where
  * inks of several colours lie on each other, groups begin anew with ", run 2" at the end of their names, up to 32 runs,
@@ -4015,9 +4034,9 @@ typedef struct hrbfnpr_picture_desc {
                                   = by seed_source of hrbfnpr_generate_desc */
     double hatch_angle;        /* angle by which all lines of hatching are turned, in degrees, -360 .. 360; default 0 */
     const char* lines;         /* kinds of lines with commas between: contour, suggestive, ridges, valleys, apparent,
-                                  parabolic, isophotes=0.3:0.6, section=z:20, border, crease; "none" = no lines, so that
-                                  contours are drawn by marks with VISIBILITY_PUBLISHED only; default NULL = those of
-                                  the style */
+                                  parabolic, isophotes=0.3:0.6, section=z:20, border, crease, shadow, terminator;
+                                  "none" = no lines, so that contours are drawn by marks with VISIBILITY_PUBLISHED
+                                  only; default NULL = those of the style */
     const char* scale_bar;     /* unit of a scale bar below the drawing; "none" = no bar; default NULL = "units" in the
                                   style archaeological, else "none" */
 

@@ -11,8 +11,19 @@
 #include "api/point_set.h"
 #include "api/style.h"
 #include "api/views.h"
+#include "frame/scene/shadow_lines.h"
 
 using namespace hrbfnpr;
+
+hrbfnpr_occluders::hrbfnpr_occluders(hrbfnpr_context& context, base::Array<const hrbfnpr_line_set*>&& line_sets,
+                                     frame::Casters&& made)
+    : Child(context), sets(std::move(line_sets)), casters(std::move(made)) {
+    for (const hrbfnpr_line_set* const set : sets) set->add_reference();
+}
+
+hrbfnpr_occluders::~hrbfnpr_occluders() {
+    for (const hrbfnpr_line_set* const set : sets) api::release_handle(set);
+}
 
 hrbfnpr_shading::hrbfnpr_shading(hrbfnpr_context& context, const hrbfnpr_point_set& of, frame::Shading&& made)
     : Child(context), set(of), shading(std::move(made)) {
@@ -25,13 +36,14 @@ namespace hrbfnpr::api {
 namespace {
 
 constexpr std::int64_t most_casting_items = 65536;
+constexpr double lines_begin = 0.6; // the share of a shading's time after which borders of shadows are found
 
 [[nodiscard]] constexpr auto shading_fields() noexcept {
     using Given = hrbfnpr_shading_desc;
     using To = frame::ShadingSettings;
     return FieldTable{field("sky_rays", &Given::sky_rays, &To::sky_rays, rule::Between{1.0, 4096.0}),
                       field("shadow_rays", &Given::shadow_rays, &To::shadow_rays, rule::Between{1.0, 4096.0}),
-                      reserved("reserved", &Given::reserved),
+                      field("flags", &Given::flags, rule::Any{}),
                       field("occlusion_reach", &Given::occlusion_reach, &To::reach, rule::Between{0.0, 100.0}),
                       field("previous", &Given::previous, rule::Any{}),
                       field("curvature_scale", &Given::curvature_scale, &To::curvature_scale, rule::Between{0.0, 1.0})};
@@ -41,14 +53,18 @@ static_assert(shading_fields().covers<hrbfnpr_shading_desc>());
 hrbfnpr_occluders* create(hrbfnpr_context& context, const List<hrbfnpr_item>& items, hrbfnpr_operation* operation) {
     const OperationUse use(operation);
     base::Array<frame::Caster> casters(context.runtime.memory);
+    base::Array<const hrbfnpr_line_set*> sets(context.runtime.memory);
     for (std::int64_t i = 0; i < items.count(); ++i) {
         const hrbfnpr_item item = items[i];
-        if (item.line_set != nullptr) casters.push_back({&item.line_set->lines.mesh(), to_matrix(item.transform)});
+        if (item.line_set == nullptr) continue;
+        const curves::LineSet& lines = item.line_set->lines;
+        casters.push_back({&lines.mesh(), to_matrix(item.transform), &lines});
+        sets.push_back(item.line_set);
     }
     if (casters.empty())
         fail(Status::invalid_argument, "items have no line_set; what casts shadows is the surface of a line set");
     return use.finish_with(make_handle<hrbfnpr_occluders>(
-        context, frame::casters_of({context.runtime, use.progress()}, std::as_const(casters).span())));
+        context, std::move(sets), frame::casters_of({context.runtime, use.progress()}, std::as_const(casters).span())));
 }
 
 hrbfnpr_shading* create(hrbfnpr_context& context, const hrbfnpr_occluders& occluders, const hrbfnpr_item& item,
@@ -58,6 +74,13 @@ hrbfnpr_shading* create(hrbfnpr_context& context, const hrbfnpr_occluders& occlu
     checks.not_null("point_set", item.point_set != nullptr);
     if (item.pose_count > 0) fail(Status::invalid_argument, "item.poses are given; posed marks cannot be shaded");
     shading_fields().check("shading_desc", desc);
+    const bool with_lines = desc.flags == HRBFNPR_SHADING_WITH_LINES;
+    if (desc.flags != 0 && !with_lines)
+        fail(Status::invalid_argument, "shading_desc.flags is %u; it must be 0 or HRBFNPR_SHADING_WITH_LINES",
+             desc.flags);
+    if (with_lines && item.line_set == nullptr)
+        fail(Status::invalid_argument, "item.line_set is NULL; HRBFNPR_SHADING_WITH_LINES needs it, because borders of "
+                                       "shadows lie on its surface");
     StyleLists lists(context.runtime.memory);
     const frame::Style style = checked_style(read_optional_struct(item.style, "item.style"), "item.style", lists);
     if (lists.lights.empty()) lists.lights.push_back(style.key_light());
@@ -81,9 +104,14 @@ hrbfnpr_shading* create(hrbfnpr_context& context, const hrbfnpr_occluders& occlu
                  static_cast<double>(style.curvature_contrast));
         shaded.mesh = &item.line_set->lines.mesh();
     }
-    return use.finish_with(make_handle<hrbfnpr_shading>(
-        context, *item.point_set,
-        frame::find_shading({context.runtime, use.progress()}, occluders.casters, shaded, settings)));
+    const base::Work work(context.runtime, use.progress());
+    frame::Shading shading =
+        frame::find_shading(work.part(0.0, with_lines ? lines_begin : 1.0), occluders.casters, shaded, settings);
+    if (with_lines) {
+        shaded.lines = &item.line_set->lines;
+        shading.lines = frame::find_shadow_lines(work.part(lines_begin, 1.0), occluders.casters, shaded);
+    }
+    return use.finish_with(make_handle<hrbfnpr_shading>(context, *item.point_set, std::move(shading)));
 }
 
 hrbfnpr_array view_of(const frame::Shading& shading, std::int64_t layer, std::int64_t light) {

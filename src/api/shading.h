@@ -3,12 +3,15 @@
 #pragma once
 
 #include "api/handles.h"
+#include "api/line_set.h"
 #include "frame/scene/shading.h"
 
 struct hrbfnpr_occluders : hrbfnpr::api::Child {
-    hrbfnpr_occluders(hrbfnpr_context& context, hrbfnpr::frame::Casters&& made)
-        : Child(context), casters(std::move(made)) {}
+    hrbfnpr_occluders(hrbfnpr_context& context, hrbfnpr::base::Array<const hrbfnpr_line_set*>&& line_sets,
+                      hrbfnpr::frame::Casters&& made);
+    ~hrbfnpr_occluders();
 
+    const hrbfnpr::base::Array<const hrbfnpr_line_set*> sets; // The occluders keep them.
     const hrbfnpr::frame::Casters casters;
 };
 

@@ -43,6 +43,24 @@ protected:
         shading.reset(made_shading);
         return status;
     }
+    // Returns the number of strokes of lines of a kind on an item.
+    std::int64_t strokes_of(const hrbfnpr_item& item, std::uint32_t kind) {
+        auto line = made(hrbfnpr_line_style_init);
+        line.kind = kind;
+        line.hidden = HRBFNPR_HIDDEN_PARTS_SHOWN;
+        style.lines = &line;
+        style.line_count = 1;
+        const Drawing drawing = draw_item(renderer, item, camera);
+        style.lines = nullptr;
+        style.line_count = 0;
+        std::int64_t strokes = 0;
+        for (std::int64_t i = 0; i < info_of(drawing).layers; ++i) {
+            auto layer = made(hrbfnpr_drawing_layer_info_init);
+            EXPECT_OK(hrbfnpr_drawing_get_layer_info(drawing.get(), i, &layer, error));
+            if (layer.layer == -1 && layer.kind == kind) strokes += layer.strokes;
+        }
+        return strokes;
+    }
     // Returns the number of marks of an item that are shown.
     std::int64_t shown(hrbfnpr_item item) {
         item.line_set = nullptr;
@@ -218,8 +236,53 @@ TEST_F(Shadings, OfLightsInCameraSpaceNeedTheCamera) {
     EXPECT_OK(shade(items[0], nullptr, &camera));
 }
 
+TEST_F(Shadings, HaveTheBordersOfShadowsAsLines) {
+    auto with_lines = made(hrbfnpr_shading_desc_init);
+    with_lines.flags = HRBFNPR_SHADING_WITH_LINES;
+    ASSERT_OK(shade(items[0]));
+    items[0].shading = shading.get();
+    EXPECT_EQ(strokes_of(items[0], HRBFNPR_LINE_KIND_SHADOW), 0) << "the lines were not asked for";
+    EXPECT_EQ(strokes_of(items[0], HRBFNPR_LINE_KIND_TERMINATOR), 0);
+    ASSERT_OK(shade(items[1], &with_lines));
+    items[1].shading = shading.get();
+    EXPECT_EQ(strokes_of(items[1], HRBFNPR_LINE_KIND_SHADOW), 0) << "nothing is above the upper ball";
+    EXPECT_GE(strokes_of(items[1], HRBFNPR_LINE_KIND_TERMINATOR), 1);
+    light.place[0] = 0.3;
+    ASSERT_OK(shade(items[0], &with_lines));
+    items[0].shading = shading.get();
+    EXPECT_GE(strokes_of(items[0], HRBFNPR_LINE_KIND_SHADOW), 1);
+    light.shadow = 0.0F;
+    ASSERT_OK(shade(items[0], &with_lines));
+    items[0].shading = shading.get();
+    EXPECT_EQ(strokes_of(items[0], HRBFNPR_LINE_KIND_SHADOW), 0) << "the light casts no shadow";
+    EXPECT_EQ(strokes_of(items[0], HRBFNPR_LINE_KIND_TERMINATOR), 0);
+}
+
+TEST_F(Shadings, OccludersKeepTheLineSets) {
+    auto with_lines = made(hrbfnpr_shading_desc_init);
+    with_lines.flags = HRBFNPR_SHADING_WITH_LINES;
+    light.place[0] = 0.3;
+    auto line_desc = made(hrbfnpr_line_set_desc_init);
+    hrbfnpr_line_set* own = nullptr;
+    ASSERT_OK(hrbfnpr_line_set_create(context.get(), model.get(), &line_desc, nullptr, &own, error));
+    const hrbfnpr::test::LineSet owned(own);
+    lines.reset(); // the line set of the occluders
+    items[0].line_set = own;
+    ASSERT_OK(shade(items[0], &with_lines));
+    items[0].shading = shading.get();
+    occluders.reset();
+    EXPECT_GE(strokes_of(items[0], HRBFNPR_LINE_KIND_SHADOW), 1);
+}
+
 TEST_F(Shadings, WrongArgumentsAreRefused) {
     auto shading_desc = made(hrbfnpr_shading_desc_init);
+    shading_desc.flags = 2;
+    EXPECT_FAILS(shade(items[0], &shading_desc), HRBFNPR_STATUS_INVALID_ARGUMENT, "shading_desc.flags is 2");
+    shading_desc.flags = HRBFNPR_SHADING_WITH_LINES;
+    hrbfnpr_item without_lines = items[0];
+    without_lines.line_set = nullptr;
+    EXPECT_FAILS(shade(without_lines, &shading_desc), HRBFNPR_STATUS_INVALID_ARGUMENT, "item.line_set is NULL");
+    shading_desc.flags = 0;
     shading_desc.sky_rays = 0;
     EXPECT_FAILS(shade(items[0], &shading_desc), HRBFNPR_STATUS_INVALID_ARGUMENT, "shading_desc.sky_rays is 0");
     ASSERT_OK(shade(items[0]));

@@ -124,6 +124,13 @@ hrbfnpr_item Stages::lit_item() {
     lit_style_.lights = lights_.data();
     lit_style_.light_count = static_cast<std::int64_t>(lights_.size());
     lit_style_.ambient_sky = 0.3F;
+    for (auto [line, kind] : {std::pair{&shadow_lines_[0], HRBFNPR_LINE_KIND_SHADOW},
+                              std::pair{&shadow_lines_[1], HRBFNPR_LINE_KIND_TERMINATOR}}) {
+        *line = made(hrbfnpr_line_style_init);
+        line->kind = kind;
+    }
+    lit_style_.lines = shadow_lines_.data();
+    lit_style_.line_count = static_cast<std::int64_t>(shadow_lines_.size());
     auto item = item_of(set_, &lit_style_);
     item.line_set = curved_lines_.get();
     return item;
@@ -169,6 +176,7 @@ void Stages::add_lights(std::vector<Stage>& stages) {
         add(stages, name, [=, this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
             auto desc = made(hrbfnpr_shading_desc_init);
             desc.previous = previous;
+            desc.flags = HRBFNPR_SHADING_WITH_LINES;
             hrbfnpr_shading* shading = nullptr;
             const auto status = attempt([&] {
                 return hrbfnpr_shading_create(context_.get(), occluders_.get(), &item, &view, &desc, attempt.operation,

@@ -71,6 +71,7 @@ private:
     std::array<hrbfnpr_layer_style, 3> layer_styles_{};
     std::array<hrbfnpr_line_style, 4> line_styles_{};
     std::array<hrbfnpr_light, 2> lights_{};
+    std::array<hrbfnpr_line_style, 2> shadow_lines_{};
     hrbfnpr_style lit_style_{};
     hrbfnpr::test::Field ways_, waves_;
     Occluders occluders_;
