@@ -22,13 +22,23 @@ bool any_light(const Style& style, Visit&& visit) noexcept {
     return style.occlusion > 0.0F && (style.ambient_sky > 0.0F || style.ambient_ground > 0.0F);
 }
 
+bool is_shadow_line(const hrbfnpr_line_style& line) noexcept {
+    return line.kind == HRBFNPR_LINE_KIND_SHADOW || line.kind == HRBFNPR_LINE_KIND_TERMINATOR;
+}
+
+bool draws_shadow_lines(const hrbfnpr_item& item) noexcept {
+    const hrbfnpr_style& style = *item.style;
+    return item.line_set != nullptr && std::any_of(style.lines, style.lines + style.line_count, is_shadow_line);
+}
+
 } // namespace
 
 bool needs_shading(const Style& style) noexcept {
     const hrbfnpr_style& base = style.base;
-    if (base.tone != HRBFNPR_TONE_LIGHT || base.visibility == HRBFNPR_VISIBILITY_PUBLISHED) return false;
-    if (needs_occlusion(base) || base.curvature_contrast > 0.0F) return true;
-    return any_light(style, [](float shadow, std::uint32_t) { return shadow > 0.0F; });
+    if (base.visibility == HRBFNPR_VISIBILITY_PUBLISHED) return false;
+    const bool has_shadows = any_light(style, [](float shadow, std::uint32_t) { return shadow > 0.0F; });
+    if (has_shadows && std::any_of(style.lines.begin(), style.lines.end(), is_shadow_line)) return true;
+    return base.tone == HRBFNPR_TONE_LIGHT && (needs_occlusion(base) || base.curvature_contrast > 0.0F || has_shadows);
 }
 
 bool shadows_follow_camera(const Style& style) noexcept {
@@ -54,6 +64,7 @@ Vector<Shading> make_shadings(const Call& call, const Occluders& occluders, std:
         if (!needs_occlusion(*items[i].style)) desc.occlusion_reach = 0.0;
         if (items[i].line_set == nullptr) desc.curvature_scale = 0.0;
         call.options.changes.apply("shading", desc);
+        if (draws_shadow_lines(items[i])) desc.flags |= HRBFNPR_SHADING_WITH_LINES;
         if (!previous.empty()) desc.previous = previous[i].get();
         shadings.push_back(make<Shading>([&](hrbfnpr_shading** made, hrbfnpr_error* error) {
             return hrbfnpr_shading_create(&call.context, occluders.get(), &items[i], &camera, &desc, stage.operation(),

@@ -11,7 +11,7 @@
 
 namespace hrbfnpr::picture {
 
-// Tells whether a style needs occlusion or cast shadows.
+// Tells whether a style needs occlusion, cast shadows, or the borders of shadows.
 [[nodiscard]] bool needs_shading(const Style& style) noexcept;
 
 // Tells whether cast shadows move with the camera.

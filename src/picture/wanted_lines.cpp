@@ -18,7 +18,7 @@ struct LineName {
 };
 
 // The kinds of lines with the names that users write.
-constexpr std::array<LineName, 19> line_names{LineName{"contour", HRBFNPR_LINE_KIND_CONTOUR},
+constexpr std::array<LineName, 23> line_names{LineName{"contour", HRBFNPR_LINE_KIND_CONTOUR},
                                               LineName{"contours", HRBFNPR_LINE_KIND_CONTOUR},
                                               LineName{"suggestive", HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR},
                                               LineName{"suggestive_contour", HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR},
@@ -36,7 +36,11 @@ constexpr std::array<LineName, 19> line_names{LineName{"contour", HRBFNPR_LINE_K
                                               LineName{"border", HRBFNPR_LINE_KIND_BORDER},
                                               LineName{"borders", HRBFNPR_LINE_KIND_BORDER},
                                               LineName{"crease", HRBFNPR_LINE_KIND_CREASE},
-                                              LineName{"creases", HRBFNPR_LINE_KIND_CREASE}};
+                                              LineName{"creases", HRBFNPR_LINE_KIND_CREASE},
+                                              LineName{"shadow", HRBFNPR_LINE_KIND_SHADOW},
+                                              LineName{"shadows", HRBFNPR_LINE_KIND_SHADOW},
+                                              LineName{"terminator", HRBFNPR_LINE_KIND_TERMINATOR},
+                                              LineName{"terminators", HRBFNPR_LINE_KIND_TERMINATOR}};
 
 constexpr std::array<double, 3> usual_levels{0.25, 0.5, 0.75};
 
@@ -55,7 +59,7 @@ std::uint32_t line_kind_of(std::string_view name) {
         if (is_line_name(one.name, name)) return one.kind;
     fail(Status::invalid_argument,
          "there are no lines '%.*s'; there are contour, suggestive, ridges, valleys, apparent, parabolic, isophotes, "
-         "section, border, crease and none",
+         "section, border, crease, shadow, terminator and none",
          shown_length(name), name.data());
 }
 
