@@ -298,7 +298,8 @@ namespace HrbfNpr
     /// <summary>
     /// Kinds of lines.  Kinds marked "once" are found when a line set is made, for each of its
     /// <see cref="LineSetOptions.Lines"/>.  Borders and creases are found then, too, without an element of that list.
-    /// All others are found for every drawing.
+    /// All others are found for every drawing, except Shadow and Terminator, which are found with a
+    /// <see cref="Shading"/>.
     /// </summary>
     /// <remarks>
     /// The strength says how marked a line is at a place.  It has no unit, because lengths are measured in diagonals of
@@ -351,6 +352,16 @@ namespace HrbfNpr
         /// Contour.
         /// </remarks>
         Crease = 11,
+        /// <summary>
+        /// Borders of the shadows that fall on the item, of lights with a shadow.  Strength: the light's
+        /// <see cref="Light.Shadow"/>.  Needs <see cref="ShadingOptions.WithLines"/>.
+        /// </summary>
+        Shadow = 12,
+        /// <summary>
+        /// Borders between light and shade where the item turns away from a light with a shadow, n . l = 0, and nothing
+        /// else shades the place; as Shadow.
+        /// </summary>
+        Terminator = 13,
     }
 
     /// <summary>Which creases are drawn.</summary>

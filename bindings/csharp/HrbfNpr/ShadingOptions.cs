@@ -35,6 +35,12 @@ namespace HrbfNpr
         /// <remarks>It is measured if the item's style has a <see cref="Style.CurvatureContrast"/>.</remarks>
         public double CurvatureScale { get; set; } = 0.02;
 
+        /// <summary>
+        /// Whether lines of the kinds <see cref="LineKind.Shadow"/> and <see cref="LineKind.Terminator"/> are found, for
+        /// items with a line set; default false.
+        /// </summary>
+        public bool WithLines { get; set; }
+
         internal unsafe void Write(hrbfnpr_shading_desc* desc, HeldHandles held)
         {
             Errors.Check(NativeMethods.hrbfnpr_shading_desc_init(desc, (uint)sizeof(hrbfnpr_shading_desc)));
@@ -42,6 +48,7 @@ namespace HrbfNpr
             desc->shadow_rays = ShadowRays;
             desc->occlusion_reach = OcclusionReach;
             desc->curvature_scale = CurvatureScale;
+            desc->flags = WithLines ? 1u : 0;
             if (Previous != null)
             {
                 desc->previous = held.Hold(Previous.Handle);
