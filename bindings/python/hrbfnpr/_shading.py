@@ -62,6 +62,9 @@ class Shading(Owner):
     occlusion_reach : float
         Distance beyond which nothing hides the sky, in diagonals of the box around all occluders, 0 to 100.  0: no
         occlusion.
+    lines : bool
+        Whether the borders of shadows are found, too, for lines of the kinds "shadow" and "terminator".  The item then
+        needs a `line_set`.
     sky_rays, shadow_rays : int
         Numbers of rays by which a mark sees the sky, and a light in whose penumbra it is; 1 to 4096.
     previous : Shading, optional
@@ -82,8 +85,8 @@ class Shading(Owner):
     """
 
     def __init__(
-        self, occluders: Occluders, item: Item, camera: Optional[Camera] = None, *, occlusion_reach: float = 0.35,
-        sky_rays: int = 64, shadow_rays: int = 32, previous: Optional[Shading] = None,
+        self, occluders: Occluders, item: Item, camera: Optional[Camera] = None, *, lines: bool = False,
+        occlusion_reach: float = 0.35, sky_rays: int = 64, shadow_rays: int = 32, previous: Optional[Shading] = None,
         curvature_scale: float = 0.02, progress: Optional[Progress] = None, operation: Optional[Operation] = None,
         context: Optional[Context] = None,
     ) -> None:  # fmt: skip
@@ -92,6 +95,7 @@ class Shading(Owner):
         desc = new_struct("hrbfnpr_shading_desc")
         desc.occlusion_reach, desc.sky_rays, desc.shadow_rays = occlusion_reach, sky_rays, shadow_rays
         desc.curvature_scale = curvature_scale
+        desc.flags = lib.HRBFNPR_SHADING_WITH_LINES if lines else 0
         desc.previous = ffi.NULL if previous is None else previous._handle
         seen_from = ffi.NULL if camera is None else camera._struct
         given = context._handle, occluders._handle, made.structs, seen_from, desc
