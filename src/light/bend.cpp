@@ -125,7 +125,8 @@ struct PatchesAround {
 [[nodiscard]] double bend_at(const PatchesAround& around, const glm::dvec3& place, const glm::dvec3& normal) {
     double depth = 0.0;
     double squares = 0.0;
-    around.grid.around(place, [&](std::int64_t at) {
+    const double half = 0.5 * around.reach;
+    around.grid.around({place - half, place + half}, [&](std::int64_t at) {
         const Patch& patch = around.patch[at];
         const glm::dvec3 off = patch.mean - place;
         const double square = glm::dot(off, off);
@@ -149,7 +150,7 @@ base::Array<float> find_bend(const base::Work& work, const SurfaceTriangles& mes
     const base::Array<Patch> patches = patches_of(work.part(0.0, 0.3), mesh, light_tuning.patch * 0.5 * reach);
     VecArray position(work.memory);
     for (const Patch& patch : patches) position.push_back(patch.mean);
-    const geometry::PointGrid grid(position, reach, work);
+    const geometry::PointGrid grid(position, 0.5 * reach, work); // Boxes of queries have the other half of the reach.
     base::Array<Patch> in_grid(work.memory);
     for (std::int64_t at = 0; at < patches.size(); ++at) in_grid.push_back(patches[grid.index(at)]);
     base::Array<float> bend(work.memory, places.position.size());
