@@ -326,9 +326,8 @@ inline constexpr FieldLayout fields_of_hrbfnpr_item[] = {
 #undef RECORD
 #define RECORD hrbfnpr_shading_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_shading_desc[] = {
-    FIELD(struct_size, "uint32_t"), FIELD(sky_rays, "int32_t"), FIELD(shadow_rays, "int32_t"),
-    FIELD(reserved, "uint32_t"), FIELD(occlusion_reach, "double"), FIELD(previous, "const hrbfnpr_shading*"),
-    FIELD(curvature_scale, "double")};
+    FIELD(struct_size, "uint32_t"), FIELD(sky_rays, "int32_t"), FIELD(shadow_rays, "int32_t"), FIELD(flags, "uint32_t"),
+    FIELD(occlusion_reach, "double"), FIELD(previous, "const hrbfnpr_shading*"), FIELD(curvature_scale, "double")};
 #undef RECORD
 #define RECORD hrbfnpr_drawing_info
 inline constexpr FieldLayout fields_of_hrbfnpr_drawing_info[] = {

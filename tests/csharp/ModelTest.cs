@@ -225,6 +225,15 @@ namespace HrbfNpr.Tests
                 Assert.Equal(1, (int)hits.Entering[0]);
                 Assert.Equal(0, (int)hits.Entering[1]);
                 Assert.Equal(new[] { RayStatus.Hit, RayStatus.Miss }, hits.Status);
+                using (LineSet lines = model.LineSet())
+                {
+                    var byMesh = new CastOptions { MaximumHits = 3, LineSet = lines };
+                    Assert.Equal(2, model.CastRays(origins, directions, byMesh).T[0], 1e-8);
+                    byMesh.Refine = false;
+                    RayHits onMesh = model.CastRays(origins, directions, byMesh);
+                    Assert.Equal(2, onMesh.T[0], 0.01);
+                    Assert.Equal(new uint[] { 2, 0 }, onMesh.Hits);
+                }
                 Assert.Equal(new[] { true, false }, model.Contains(new[] { 0, 0, 0.9, 0, 0, 1.1 }));
                 Assert.InRange(model.Lipschitz(), 1.0, 3.0);
                 Assert.Throws<InvalidArgumentException>(

@@ -59,6 +59,10 @@ test("a fit of a sphere is a sphere", () => {
   const rays = ball.castRays([[0, 0, 5]], [[0, 0, -1]], { maximumHits: 2 });
   assert.deepEqual([...rays.count], [2]);
   assert.ok(Math.abs(rays.t[0] - 4) < 0.01 && Math.abs(rays.t[1] - 6) < 0.01);
+  const lineSet = ball.createLineSet();
+  const byMesh = ball.castRays([[0, 0, 5]], [[0, 0, -1]], { maximumHits: 2, lineSet });
+  assert.ok(Math.abs(byMesh.t[1] - rays.t[1]) < 1e-6);
+  lineSet.free();
   assert.deepEqual([...ball.contains([[0, 0, 0], [2, 0, 0]])], [1, 0]);
   assert.equal(ball.info().kernel, "triharmonic");
   assert.equal(context.fit({ points, normals: points, kernel: KERNEL.GAUSSIAN }).info().kernel, "gaussian");

@@ -228,7 +228,7 @@ namespace HrbfNpr
         internal uint struct_size;
         internal int sky_rays;
         internal int shadow_rays;
-        internal uint reserved;
+        internal uint flags;
         internal double occlusion_reach;
         internal IntPtr previous;
         internal double curvature_scale;

@@ -578,9 +578,11 @@ export type MarkAttributeName = "position" | "normal" | "direction" | "curvature
  * Kinds of lines.  Kinds marked "once" are found when the line set is made, for each element of
  * hrbfnpr_line_set_desc.lines.  BORDER and CREASE are found then, too, without an element.  All others are found
  * for
- * every drawing.  The strength says how marked a line is at a place.  It has no unit, because lengths are
- * measured in
- * diagonals of the model.  Kinds marked WITH_CURVATURE need a line set with that flag.
+ * every drawing, except SHADOW and TERMINATOR, which are found with a shading.  The strength says how marked a
+ * line is
+ * at a place.  It has no unit, because lengths are measured in diagonals of the model.  Kinds marked
+ * WITH_CURVATURE
+ * need a line set with that flag.
  */
 export declare const LINE_KIND: {
   /** occluding contours: the line of sight is tangent to the surface there */
@@ -621,10 +623,20 @@ export declare const LINE_KIND: {
    * crease is part of the CONTOUR and is drawn as CONTOUR
    */
   readonly CREASE: 11;
+  /**
+   * borders of the shadows that fall on the item, of lights with a shadow; for items whose shading has
+   * HRBFNPR_SHADING_WITH_LINES. Strength: the light's `shadow`
+   */
+  readonly SHADOW: 12;
+  /**
+   * borders between light and shade where the item turns away from a light with a shadow, n . l = 0, and nothing
+   * else shades the place; as SHADOW
+   */
+  readonly TERMINATOR: 13;
 };
 /** The constants of LINE_KIND, as options spell them. */
 export type LineKindName = "contour" | "suggestive-contour" | "ridge" | "valley" | "apparent-ridge" | "parabolic" |
-  "isophote" | "section" | "border" | "own" | "crease";
+  "isophote" | "section" | "border" | "own" | "crease" | "shadow" | "terminator";
 
 /** What a line set measures. */
 export declare const LINE_SET_WITH: {
@@ -923,6 +935,14 @@ export declare const SIDES: {
 };
 /** The constants of SIDES, as options spell them. */
 export type SidesName = "front" | "both";
+
+/** Flags of hrbfnpr_shading_desc. */
+export declare const SHADING: {
+  /** lines of the kinds SHADOW and TERMINATOR are found, for items with a line_set */
+  readonly WITH_LINES: 1;
+};
+/** The constants of SHADING, as options spell them. */
+export type ShadingName = "with-lines";
 
 /** How a mark faces the camera [NPAR 6]. */
 export declare const CLASS: {

@@ -409,11 +409,12 @@ export interface Functions {
    *
    * With line_set, each ray first meets the mesh of the line set, whose box tree is made
    * in the first such call.  Newton's method then moves the hits to f = 0, as
-   * hrbfnpr_model_evaluate computes it (refine 1).  If a hit does not lead there within a
-   * cell of the mesh, its ray is searched as without a mesh.  Parts of the surface that the
-   * mesh does not have are missed: those smaller than a cell, and those where a ray passes
-   * between the surface and its mesh, near its outline.  lipschitz, smallest_step and
-   * evaluation_limit are used only for the rays that are searched.
+   * hrbfnpr_model_evaluate computes it (refine 1).  On a fit of 5000 samples this is 5
+   * times as fast as the search, and 11 times with refine 0.  If a hit does not lead
+   * there within a cell of the mesh, its ray is searched as without a mesh.  Parts of the
+   * surface that the mesh does not have are missed: those smaller than a cell, and those
+   * where a ray passes between the surface and its mesh, near its outline.  lipschitz,
+   * smallest_step and evaluation_limit are used only for the rays that are searched.
    *
    * origins:      n x 3, FLOAT32 or FLOAT64, finite
    * directions:   n x 3, FLOAT32 or FLOAT64, finite, of any length but 0
@@ -1090,12 +1091,22 @@ export interface Functions {
    * stays valid
    * while these stay, for any camera, except that lights in camera space move with the camera.
    *
+   * With HRBFNPR_SHADING_WITH_LINES it also finds the borders of shadows on the item, as exact curves: outlines
+   * that a
+   * light sees of the occluders, carried along its rays to the first surface.  Borders inside another shadow, and
+   * those
+   * shorter than 0.01 diagonals of all occluders, are left out.  Soft lights have the borders of their middle.  An
+   * item
+   * shows the lines if its style has line styles of the kinds SHADOW and TERMINATOR.
+   *
    * occluders:   the surfaces, in world space
-   * item:        point_set, style and transform are read, and line_set if the style has a curvature_contrast
+   * item:        point_set, style and transform are read, and line_set with HRBFNPR_SHADING_WITH_LINES or if the
+   * style
+   *              has a curvature_contrast.  It need not be one of the occluders; then it casts no shadow itself
    * camera:      the camera of lights in camera space that cast shadows; may be NULL without such lights
    * desc:        NULL = all defaults
    *
-   * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+   * Errors: INVALID_ARGUMENT (for example WITH_LINES without a line_set), OUT_OF_MEMORY, CANCELLED, CALLBACK.
    */
   hrbfnpr_shading_create(context: Pointer, occluders: Pointer, item: Pointer, camera: Pointer, desc: Pointer, operation: Pointer, out_shading: Pointer, error: Pointer): number;
   /**

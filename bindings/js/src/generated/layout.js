@@ -486,8 +486,7 @@ export const STRUCTS = {
     toneGamma: ["f32", 336],
     toneSteps: ["u32", 340],
     curvatureContrast: ["f32", 344],
-    palette: ["address", 352],
-    paletteCount: ["i64", 360],
+    palette: ["colours", 352, 360],
   } },
   hrbfnpr_dab: { size: 104, sized: true, fields: {
     map: ["u32", 4, 0, "DAB"],
@@ -532,6 +531,7 @@ export const STRUCTS = {
   hrbfnpr_shading_desc: { size: 40, sized: true, fields: {
     skyRays: ["i32", 4],
     shadowRays: ["i32", 8],
+    flags: ["u32", 12],
     occlusionReach: ["f64", 16],
     previous: ["handle", 24, "hrbfnpr_shading"],
     curvatureScale: ["f64", 32],
@@ -1091,7 +1091,7 @@ export const OFFSETS = {
   hrbfnpr_layer_pose: {struct_size: 0, reserved: 4, layer: 8, position: 16, normal: 48, direction: 80},
   hrbfnpr_item: {struct_size: 0, sides: 4, point_set: 8, style: 12, model: 16, transform: 24, poses: 152, pose_count:
     160, pose_stride: 168, line_set: 176, shading: 180},
-  hrbfnpr_shading_desc: {struct_size: 0, sky_rays: 4, shadow_rays: 8, reserved: 12, occlusion_reach: 16, previous: 24,
+  hrbfnpr_shading_desc: {struct_size: 0, sky_rays: 4, shadow_rays: 8, flags: 12, occlusion_reach: 16, previous: 24,
     curvature_scale: 32},
   hrbfnpr_drawing_info: {struct_size: 0, reserved: 4, items: 8, layers: 16, dots: 24, strokes: 32, stroke_points: 40,
     marks: 48, outside: 56, front: 64, back: 72, silhouette: 80, culled: 88, shown: 96, dropped_tone: 104,

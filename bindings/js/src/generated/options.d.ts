@@ -2,18 +2,36 @@
 // Made by bindings/generate from bindings/api.json; do not edit.
 
 import type { CapName, ClassName, CreasesName, CsgName, DabName, DensityName, DepthName, DistributionName,
-  DotShapeName, EdgesName, FacesName, FieldKindName, FieldRuleName, FieldSourceName, HatchGuideName, HiddenLinesName,
-  HiddenPartsName, InstructionSetName, KernelName, LayerKindName, LightKindName, LightName, LineKindName,
-  LineTypeName, LogName, NormalsLookName, NormalsName, NoteName, OutwardName, PageFormatName, PaletteName, PartsName,
-  PictureEdgesName, PictureGroundName, PictureSidesName, PresetName, PrimitiveName, ProfileName, RegularizationName,
-  RepairName, ScalarName, SeedName, SeverityName, ShapeName, SidesName, SolverName, SolverReasonName, SourceKindName,
-  StageName, StrokeStartName, ThreadBackendName, ToneCurveName, ToneName, ToneRangesName, ToneRuleName, TrimName,
-  VertexAttributeName, ViewsAngleName, ViewsHiddenName, VisibilityName, WidthsName, WordingName } from
-  "./constants.js";
+  DotShapeName, EdgesName, FacesName, FieldKindName, FieldRuleName, FieldSourceName, FormatName, HatchGuideName,
+  HiddenLinesName, HiddenPartsName, InstructionSetName, KernelName, LayerKindName, LightKindName, LightName,
+  LineKindName, LineTypeName, LogName, NormalsLookName, NormalsName, NoteName, OutwardName, PageFormatName,
+  PaletteName, PartsName, PictureEdgesName, PictureGroundName, PictureSidesName, PresetName, PrimitiveName,
+  ProfileName, RegularizationName, RepairName, ScalarName, SeedName, SeverityName, ShapeName, SidesName, SolverName,
+  SolverReasonName, SourceKindName, StageName, StrokeStartName, ThreadBackendName, ToneCurveName, ToneName,
+  ToneRangesName, ToneRuleName, TrimName, VertexAttributeName, ViewsAngleName, ViewsHiddenName, VisibilityName,
+  WidthsName, WordingName } from "./constants.js";
 import type { Pointer } from "./functions.js";
 import type { AllocateFn, ArrayInput, ArrayOutput, DeallocateFn, DensityFn, DirectionFn, Drawing, Field, FieldFn,
   ImplicitFn, LineSet, LogFn, Mesh, Model, Numbers, Occluders, PictureEventFn, PointSet, RunTasksFn, Settings,
   Shading, ToneFn } from "../index.js";
+
+/**
+ * An image of the caller.  `pixels` is the top-left pixel for either sign of
+ * row_stride: for an image that is stored bottom-up, pass the address of its
+ * last row and a negative row_stride.
+ */
+export interface Image {
+  /** HRBFNPR_FORMAT_...; default RGBA8 */
+  format?: FormatName | number;
+  /** pixels; 1 to 32768 */
+  width?: number;
+  /** pixels; 1 to 32768 */
+  height?: number;
+  /** the top-left pixel */
+  pixels?: Pointer;
+  /** bytes from a row to the row below; at least a row's bytes, or their negative; 0 = packed */
+  rowStride?: number;
+}
 
 /** How a context works. */
 export interface ContextDesc {
@@ -1451,9 +1469,7 @@ export interface Style {
    * inks for ink_field, palette_count x 4, straight RGBA in [0, 1], sRGB-encoded; default NULL. It is read during
    * _draw only
    */
-  palette?: Pointer;
-  /** number of inks; 0 .. 8; default 0. An ink_field needs at least one */
-  paletteCount?: number;
+  palette?: readonly Numbers[];
 }
 
 /**
@@ -1588,6 +1604,8 @@ export interface ShadingDesc {
   skyRays?: number;
   /** number of rays by which a mark in a penumbra sees a light; 1 .. 4096; default 32 */
   shadowRays?: number;
+  /** HRBFNPR_SHADING_...; default 0 */
+  flags?: number;
   /**
    * distance beyond which nothing hides the sky, in diagonals of the box around all occluders; 0 .. 100; default
    * 0.35; 0 = the whole sky is seen everywhere. What is nearer hides the more, the nearer it is: 1 - distance /
@@ -2532,8 +2550,8 @@ export interface PictureDesc {
   hatchAngle?: number;
   /**
    * kinds of lines with commas between: contour, suggestive, ridges, valleys, apparent, parabolic,
-   * isophotes=0.3:0.6, section=z:20, border, crease; "none" = no lines, so that contours are drawn by marks with
-   * VISIBILITY_PUBLISHED only; default NULL = those of the style
+   * isophotes=0.3:0.6, section=z:20, border, crease, shadow, terminator; "none" = no lines, so that contours are
+   * drawn by marks with VISIBILITY_PUBLISHED only; default NULL = those of the style
    */
   lines?: string;
   /**

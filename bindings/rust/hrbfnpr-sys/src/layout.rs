@@ -947,7 +947,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_shading_desc, struct_size) == 0);
     assert!(offset_of!(hrbfnpr_shading_desc, sky_rays) == 4);
     assert!(offset_of!(hrbfnpr_shading_desc, shadow_rays) == 8);
-    assert!(offset_of!(hrbfnpr_shading_desc, reserved) == 12);
+    assert!(offset_of!(hrbfnpr_shading_desc, flags) == 12);
     assert!(offset_of!(hrbfnpr_shading_desc, occlusion_reach) == 16);
     assert!(offset_of!(hrbfnpr_shading_desc, previous) == 24);
     assert!(offset_of!(hrbfnpr_shading_desc, curvature_scale) == either(32, 32, 28));

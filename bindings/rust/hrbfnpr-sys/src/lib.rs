@@ -216,9 +216,11 @@
 //! layer's name, such as
 //! "stipples" or "hatch-2".  Groups of lines are called "contour", "suggestive", "ridge",
 //! "valley", "apparent ridge",
-//! "parabolic", "isophote", "section", "border", "crease", or have the name of lines of kind
-//! OWN.  Ink behind n layers
-//! of surface has " hidden n" at the end of its name.  A second layer of the same name has " 2".
+//! "parabolic", "isophote", "section", "border", "crease", "shadow", "terminator", or have
+//! the name of lines of kind
+//! OWN.  Ink behind n layers of surface has " hidden n" at the end of its name.  A second
+//! layer of the same name has
+//! " 2".
 //!
 //! Groups follow the layers of the drawing, hidden ones first.  In a group strokes are in
 //! order from far to near.  Where
@@ -1576,11 +1578,12 @@ extern "C" {
     ///
     /// With line_set, each ray first meets the mesh of the line set, whose box tree is made
     /// in the first such call.  Newton's method then moves the hits to f = 0, as
-    /// hrbfnpr_model_evaluate computes it (refine 1).  If a hit does not lead there within a
-    /// cell of the mesh, its ray is searched as without a mesh.  Parts of the surface that the
-    /// mesh does not have are missed: those smaller than a cell, and those where a ray passes
-    /// between the surface and its mesh, near its outline.  lipschitz, smallest_step and
-    /// evaluation_limit are used only for the rays that are searched.
+    /// hrbfnpr_model_evaluate computes it (refine 1).  On a fit of 5000 samples this is 5
+    /// times as fast as the search, and 11 times with refine 0.  If a hit does not lead
+    /// there within a cell of the mesh, its ray is searched as without a mesh.  Parts of the
+    /// surface that the mesh does not have are missed: those smaller than a cell, and those
+    /// where a ray passes between the surface and its mesh, near its outline.  lipschitz,
+    /// smallest_step and evaluation_limit are used only for the rays that are searched.
     ///
     /// origins:      n x 3, FLOAT32 or FLOAT64, finite
     /// directions:   n x 3, FLOAT32 or FLOAT64, finite, of any length but 0
@@ -2646,9 +2649,11 @@ extern "C" {
 // Kinds of lines.  Kinds marked "once" are found when the line set is made, for each element of
 // hrbfnpr_line_set_desc.lines.  BORDER and CREASE are found then, too, without an element.
 // All others are found for
-// every drawing.  The strength says how marked a line is at a place.  It has no unit,
-// because lengths are measured in
-// diagonals of the model.  Kinds marked WITH_CURVATURE need a line set with that flag.
+// every drawing, except SHADOW and TERMINATOR, which are found with a shading.  The strength
+// says how marked a line is
+// at a place.  It has no unit, because lengths are measured in diagonals of the model.
+// Kinds marked WITH_CURVATURE
+// need a line set with that flag.
 /// occluding contours: the line of sight is tangent to the surface there
 pub const HRBFNPR_LINE_KIND_CONTOUR: u32 = 1;
 /// curves that become contours in a nearby view; WITH_CURVATURE. Strength: the derivative of
@@ -2679,6 +2684,12 @@ pub const HRBFNPR_LINE_KIND_OWN: u32 = 10;
 /// the eye and the other faces away, the crease is part of the CONTOUR and is drawn as
 /// CONTOUR
 pub const HRBFNPR_LINE_KIND_CREASE: u32 = 11;
+/// borders of the shadows that fall on the item, of lights with a shadow; for items whose
+/// shading has HRBFNPR_SHADING_WITH_LINES. Strength: the light's `shadow`
+pub const HRBFNPR_LINE_KIND_SHADOW: u32 = 12;
+/// borders between light and shade where the item turns away from a light with a shadow, n .
+/// l = 0, and nothing else shades the place; as SHADOW
+pub const HRBFNPR_LINE_KIND_TERMINATOR: u32 = 13;
 
 /// Lines to find once, when the line set is made.
 #[repr(C)]
@@ -3845,6 +3856,10 @@ extern "C" {
     pub fn hrbfnpr_occluders_release(occluders: *const hrbfnpr_occluders);
 }
 
+// Flags of hrbfnpr_shading_desc.
+/// lines of the kinds SHADOW and TERMINATOR are found, for items with a line_set
+pub const HRBFNPR_SHADING_WITH_LINES: u32 = 1;
+
 /// How a shading is computed.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
@@ -3854,7 +3869,8 @@ pub struct hrbfnpr_shading_desc {
     pub sky_rays: i32,
     /// number of rays by which a mark in a penumbra sees a light; 1 .. 4096; default 32
     pub shadow_rays: i32,
-    pub reserved: u32,
+    /// HRBFNPR_SHADING_...; default 0
+    pub flags: u32,
     /// distance beyond which nothing hides the sky, in diagonals of the box around all occluders;
     /// 0 .. 100; default 0.35; 0 = the whole sky is seen everywhere. What is nearer hides the
     /// more, the nearer it is: 1 - distance / reach
@@ -3881,14 +3897,25 @@ extern "C" {
     /// occluders.  It stays valid
     /// while these stay, for any camera, except that lights in camera space move with the camera.
     ///
+    /// With HRBFNPR_SHADING_WITH_LINES it also finds the borders of shadows on the item, as exact
+    /// curves: outlines that a
+    /// light sees of the occluders, carried along its rays to the first surface.  Borders inside
+    /// another shadow, and those
+    /// shorter than 0.01 diagonals of all occluders, are left out.  Soft lights have the borders
+    /// of their middle.  An item
+    /// shows the lines if its style has line styles of the kinds SHADOW and TERMINATOR.
+    ///
     /// occluders:   the surfaces, in world space
-    /// item:        point_set, style and transform are read, and line_set if the style has a
-    /// curvature_contrast
+    /// item:        point_set, style and transform are read, and line_set with
+    /// HRBFNPR_SHADING_WITH_LINES or if the style
+    ///              has a curvature_contrast.  It need not be one of the occluders; then it casts
+    /// no shadow itself
     /// camera:      the camera of lights in camera space that cast shadows; may be NULL without
     /// such lights
     /// desc:        NULL = all defaults
     ///
-    /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+    /// Errors: INVALID_ARGUMENT (for example WITH_LINES without a line_set), OUT_OF_MEMORY,
+    /// CANCELLED, CALLBACK.
     pub fn hrbfnpr_shading_create(
         context: *mut hrbfnpr_context,
         occluders: *const hrbfnpr_occluders,
@@ -5900,9 +5927,9 @@ pub struct hrbfnpr_picture_desc {
     /// angle by which all lines of hatching are turned, in degrees, -360 .. 360; default 0
     pub hatch_angle: f64,
     /// kinds of lines with commas between: contour, suggestive, ridges, valleys, apparent,
-    /// parabolic, isophotes=0.3:0.6, section=z:20, border, crease; "none" = no lines, so that
-    /// contours are drawn by marks with VISIBILITY_PUBLISHED only; default NULL = those of the
-    /// style
+    /// parabolic, isophotes=0.3:0.6, section=z:20, border, crease, shadow, terminator; "none" =
+    /// no lines, so that contours are drawn by marks with VISIBILITY_PUBLISHED only; default NULL
+    /// = those of the style
     pub lines: *const c_char,
     /// unit of a scale bar below the drawing; "none" = no bar; default NULL = "units" in the
     /// style archaeological, else "none"
