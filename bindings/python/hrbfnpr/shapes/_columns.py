@@ -108,7 +108,7 @@ def by_content(table: Floats, normals_expected: bool = False, before: int = 0) -
     for start in starts:
         taken = {place, place + 1, place + 2} if place else set()
         free = found.keys() <= {place} and not taken & {start, start + 1, start + 2}
-        if free and _is_colour(some[:, start : start + 3]):
+        if free and _is_colour(some[:, start : start + 3]) and not _begins_with_intensity(some, start, place):
             found[start] = ("red", "green", "blue")
     names = ["x", "y", "z"] + ["other"] * (width - 3)
     for start, three in found.items():
@@ -119,6 +119,13 @@ def by_content(table: Floats, normals_expected: bool = False, before: int = 0) -
         unused = "they are not used as normals" if what == "colours" else "they are not used"
         notes.append(f"columns {which + 1 + before} to {which + 3 + before} are {what}: {unused}")
     return Columns(tuple(names), tuple(notes))
+
+
+def _begins_with_intensity(table: Floats, start: int, normals: int) -> bool:
+    """Whether four columns before the normals or the end are an intensity and a colour, as in PTS, and not a colour and alpha."""
+    end = normals if normals > start else table.shape[1]
+    four = table[:, start:end]
+    return four.shape[1] == 4 and _is_colour(four[:, 1:]) and bool((four[:, 3] != four[0, 3]).any())
 
 
 def _other_normals(table: Floats, starts: Sequence[int], expected: bool, notes: List[str], before: int) -> int:
