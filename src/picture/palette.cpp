@@ -110,7 +110,9 @@ std::array<float, 4> darker_ink(const Lab& colour) noexcept {
         if (std::all_of(linear.begin(), linear.end(), can_be_shown)) break;
     }
     std::array<float, 4> ink{0.0F, 0.0F, 0.0F, 1.0F};
-    for (std::size_t i = 0; i < 3; ++i) ink[i] = static_cast<float>(coded_of(std::clamp(linear[i], 0.0, 1.0)));
+    // Inks have 8 bits, so that the note about them names them exactly.
+    for (std::size_t i = 0; i < 3; ++i)
+        ink[i] = static_cast<float>(std::nearbyint(255.0 * coded_of(std::clamp(linear[i], 0.0, 1.0))) / 255.0);
     return ink;
 }
 

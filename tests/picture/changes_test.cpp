@@ -216,6 +216,31 @@ TEST_F(ChangesTest, InvalidChangesAreNamed) {
     EXPECT_TRUE(refused("style.halo", "1").ends_with(", ..."));
 }
 
+TEST_F(ChangesTest, UsesOfFieldsBecomeChangesOfTheirOwn) {
+    const Changes given =
+        changes({{"style.field", "tone=quality:0..1,direction=flow"}, {"style.field", "ink=rgb,tone="}});
+    ASSERT_EQ(given.list().size(), 4U);
+    EXPECT_EQ(given.list()[0].path, "style.layers.tone_field");
+    EXPECT_EQ(given.list()[0].value, "quality:0..1");
+    EXPECT_EQ(given.value("marks.direction_field"), "flow");
+    EXPECT_EQ(given.value("style.layers.ink_field"), "rgb");
+    EXPECT_EQ(given.value("style.layers.tone_field"), "");
+    for (const char* const wrong : {"tone", "hue=quality", "tone=quality,ink", "=quality"})
+        EXPECT_NE(refused("style.field", wrong).find("it must be USE=NAME"), std::string::npos) << wrong;
+}
+
+TEST_F(ChangesTest, PalettesAreListsOfColours) {
+    const auto inks = changes({{"style.palette", "#ff8000,#00000080"}}).colours("style.palette", pool);
+    ASSERT_TRUE(inks && inks->size() == 2);
+    EXPECT_EQ((*inks)[0][0], 1.0F);
+    EXPECT_FLOAT_EQ((*inks)[1][3], 128.0F / 255.0F);
+    EXPECT_TRUE(changes({{"style.palette", ""}}).colours("style.palette", pool)->empty());
+    EXPECT_FALSE(changes({}).colours("style.palette", pool));
+    for (const char* const wrong : {"#ff80", "red", "#ff8000,", "0.5,0.5,0.5", "#ff8000 #000000"})
+        EXPECT_NE(refused("style.palette", wrong).find("it must be 1 to 8 colours"), std::string::npos) << wrong;
+    EXPECT_NE(refused("style.palette", "#000000,#000000,#000000,#000000,#000000,#000000,#000000,#000000,#000000"), "");
+}
+
 TEST_F(ChangesTest, AnInvalidListIsRefused) {
     const hrbfnpr_change change{sizeof(hrbfnpr_change), 0, "fit.kernel", "gaussian"};
     EXPECT_TRUE(Changes(nullptr, 0, 0, pool).list().empty());

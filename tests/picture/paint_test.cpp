@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "picture/paint.h"
 
-#include "picture/handles.h"
+#include "picture/make.h"
+#include "planned_call.h"
 
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <limits>
-#include <random>
 #include <vector>
 
 namespace picture_tests::paint_test {
@@ -16,12 +15,9 @@ namespace {
 using namespace hrbfnpr;
 using namespace hrbfnpr::picture;
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
 hrbfnpr_dab dab_at(std::uint32_t map, glm::dvec3 position, glm::dvec3 normal, double radius, double strength,
                    double value, glm::dvec3 direction) {
-    hrbfnpr_dab dab{};
-    dab.struct_size = sizeof dab;
+    auto dab = defaults<hrbfnpr_dab>(hrbfnpr_dab_init);
     dab.map = map;
     for (int axis = 0; axis < 3; ++axis) {
         dab.position[axis] = position[axis];
@@ -44,149 +40,115 @@ const std::array<glm::dvec3, 4> places{glm::dvec3(0.1, 0.2, 0.3), glm::dvec3(0.2
 const std::array<glm::dvec3, 4> normals{glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.6, 0.0, 0.8),
                                         glm::dvec3(0.0, -0.6, 0.8), glm::dvec3(0.0, 0.0, -1.0)};
 
-// Computes the weight by the formula of the header, dab by dab, without a search.
-double weight_by_formula(const hrbfnpr_dab& dab, const glm::dvec3& place, const glm::dvec3& normal) {
-    double distance = 0.0, facing = 0.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        distance += (place[axis] - dab.position[axis]) * (place[axis] - dab.position[axis]);
-        facing += normal[axis] * dab.normal[axis];
-    }
-    const double share = distance / (dab.radius * dab.radius);
-    return share < 1.0 && facing > 0.0 ? dab.strength * (1.0 - share) * (1.0 - share) : 0.0;
-}
-
-class PaintTest : public testing::Test {
-protected:
-    base::Memory memory;
-    Pool pool{memory};
+struct Evaluated {
+    std::array<double, 12> values{};
+    std::array<double, 4> weights{};
 };
 
+// Evaluates a field at the four places.
+Evaluated evaluated(const hrbfnpr_field* field, std::uint32_t components) {
+    Evaluated found;
+    const hrbfnpr_array at{&places[0].x, 4, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    const hrbfnpr_array facing{&normals[0].x, 4, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    const hrbfnpr_array_out values{found.values.data(), 4, 0, HRBFNPR_SCALAR_FLOAT64, components};
+    const hrbfnpr_array_out weights{found.weights.data(), 4, 0, HRBFNPR_SCALAR_FLOAT64, 1};
+    picture::call([&](hrbfnpr_error* error) {
+        return hrbfnpr_field_evaluate(field, &at, &facing, &values, &weights, nullptr, error);
+    });
+    return found;
+}
+
+// Returns a field that has the same value everywhere.
+Field constant_field(const Call& call, std::uint32_t kind, const std::array<double, 3>& value) {
+    auto desc = defaults<hrbfnpr_field_desc>(hrbfnpr_field_desc_init);
+    const glm::dvec3 point(0.0);
+    desc.kind = kind;
+    desc.points = {&point.x, 1, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    desc.values = {value.data(), 1, 0, HRBFNPR_SCALAR_FLOAT64, kind == HRBFNPR_FIELD_KIND_SCALAR ? 1U : 3U};
+    return make<Field>([&](hrbfnpr_field** made, hrbfnpr_error* error) {
+        return hrbfnpr_field_create(&call.context, &desc, nullptr, made, error);
+    });
+}
+
 // A reference program in Python computed the expected values.
-TEST_F(PaintTest, MatchesReferenceValues) {
-    const PaintedMap map(two_dabs(HRBFNPR_DAB_DENSITY), HRBFNPR_DAB_DENSITY, pool);
-    const std::array density{0.62875, 0.870271875, 0.841636775390625, 1.0};
-    const std::array<glm::dvec3, 4> directions{
-        glm::dvec3(0.35, 0.5625, 0.140625), glm::dvec3(0.0398671875, 0.9384765625, 0.234619140625),
-        glm::dvec3(0.09390076171875, 0.738525390625, 0.18463134765625), glm::dvec3(0.0)};
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        EXPECT_NEAR(map.pulled(1.0, places[i], normals[i]), density[i], 1e-15);
-        for (int axis = 0; axis < 3; ++axis)
-            EXPECT_NEAR(map.direction(places[i], normals[i])[axis], directions[i][axis], 1e-15);
-    }
-}
-
-TEST_F(PaintTest, ManyDabsAreFoundByPosition) {
-    std::mt19937 random(3);
-    std::uniform_real_distribution<double> anywhere(-1.0, 1.0), some(0.01, 0.3);
+TEST(Paint, EachMapReachesItsLayers) {
     std::vector<hrbfnpr_dab> dabs;
-    for (int i = 0; i < 300; ++i)
-        dabs.push_back(dab_at(static_cast<std::uint32_t>(i % 3), {anywhere(random), anywhere(random), anywhere(random)},
-                              {anywhere(random), anywhere(random), anywhere(random)}, some(random), 0.9, some(random),
-                              {anywhere(random), anywhere(random), anywhere(random)}));
-    const PaintedMap tones(dabs, HRBFNPR_DAB_TONE, pool);
-    const PaintedMap ways(dabs, HRBFNPR_DAB_DIRECTION, pool);
-    int painted = 0;
-    for (int i = 0; i < 2000; ++i) {
-        const glm::dvec3 place(anywhere(random), anywhere(random), anywhere(random));
-        const glm::dvec3 normal(anywhere(random), anywhere(random), anywhere(random));
-        double value = 0.5;
-        glm::dvec3 way(0.0);
-        for (const hrbfnpr_dab& dab : dabs) {
-            const double weight = weight_by_formula(dab, place, normal);
-            if (dab.map == HRBFNPR_DAB_TONE) value += weight * (dab.value - value);
-            if (dab.map != HRBFNPR_DAB_DIRECTION || weight == 0.0) continue;
-            const glm::dvec3 along(dab.direction[0], dab.direction[1], dab.direction[2]);
-            way = (1.0 - weight) * way + (glm::dot(way, along) < 0.0 ? -weight : weight) * along;
-            ++painted;
-        }
-        ASSERT_DOUBLE_EQ(tones.pulled(0.5, place, normal), value);
-        for (int axis = 0; axis < 3; ++axis) ASSERT_NEAR(ways.direction(place, normal)[axis], way[axis], 1e-15);
-    }
-    EXPECT_GT(painted, 100);
-}
-
-TEST_F(PaintTest, NothingIsPaintedBeyondTheEdgeOrOnTheBack) {
-    const auto dabs = two_dabs(HRBFNPR_DAB_TONE);
-    const PaintedMap map({dabs.data(), 1}, HRBFNPR_DAB_TONE, pool);
-    const glm::dvec3 middle = places[0];
-    EXPECT_NEAR(map.pulled(1.0, middle, {0.0, 0.0, 1.0}), 1.0 - 0.8 * 0.9, 1e-15);
-    EXPECT_EQ(map.pulled(1.0, middle, {0.0, 0.0, -1.0}), 1.0);
-    EXPECT_EQ(map.pulled(1.0, middle, {1.0, 0.0, 0.0}), 1.0); // This normal is perpendicular to the dab's.
-    EXPECT_EQ(map.pulled(1.0, middle + glm::dvec3(0.5 + 1e-9, 0.0, 0.0), {0.0, 0.0, 1.0}), 1.0);
-    EXPECT_LT(map.pulled(1.0, middle + glm::dvec3(0.4, 0.0, 0.0), {0.0, 0.0, 1.0}), 1.0);
-    EXPECT_EQ(map.pulled(1.0, glm::dvec3(not_a_number), {0.0, 0.0, 1.0}), 1.0);
-    EXPECT_EQ(map.pulled(1.0, glm::dvec3(1e300), {0.0, 0.0, 1.0}), 1.0);
-    const PaintedMap none({}, HRBFNPR_DAB_TONE, pool);
-    EXPECT_TRUE(none.empty());
-    EXPECT_EQ(none.pulled(0.5, middle, {0.0, 0.0, 1.0}), 0.5);
-    EXPECT_EQ(none.direction(middle, {0.0, 0.0, 1.0}), glm::dvec3(0.0));
-    auto vast = dabs[0];
-    vast.radius = 1e299;
-    const PaintedMap far(std::span(&vast, 1), HRBFNPR_DAB_TONE, pool);
-    EXPECT_NEAR(far.pulled(1.0, glm::dvec3(1e6), {0.0, 0.0, 1.0}), 1.0 - 0.8 * 0.9, 1e-15);
-}
-
-TEST_F(PaintTest, TonesStartFromTheLightOfTheStyle) {
-    Style style(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, pool);
-    const std::array light{1.0, 2.0, 2.0};
-    std::copy(light.begin(), light.end(), style.base.light);
-    style.base.light_space = HRBFNPR_LIGHT_CAMERA;
-    style.base.tone_exponent = 1.5;
-    style.base.fill_light = 0.25F;
-    auto camera = defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
-    const std::array eye{3.0, 2.0, 1.0}, target{0.0, 0.0, 0.0}, up{0.0, 1.0, 0.0};
-    ASSERT_EQ(hrbfnpr_camera_look_at(&camera, eye.data(), target.data(), up.data(), nullptr), HRBFNPR_STATUS_OK);
-    Marks marks(pool);
-    set_paint(two_dabs(HRBFNPR_DAB_TONE), camera, style, marks, pool);
-    ASSERT_EQ(style.base.tone, std::uint32_t{HRBFNPR_TONE_CALLBACK});
-    std::array<float, 12> at{}, facing{};
-    for (std::size_t i = 0; i < places.size(); ++i)
-        for (int axis = 0; axis < 3; ++axis) {
-            at[3 * i + static_cast<std::size_t>(axis)] = static_cast<float>(places[i][axis]);
-            facing[3 * i + static_cast<std::size_t>(axis)] = static_cast<float>(normals[i][axis]);
-        }
-    std::array<float, 4> tau{};
-    const Style copy(style); // The copy holds the paint, too.
-    style = Style(pool);
-    EXPECT_EQ(copy.base.tone_function(copy.base.tone_user, 4, at.data(), facing.data(), tau.data()), 0);
-    const std::array expected{0.5426253080368042F, 0.848617672920227F, 0.6977830529212952F, 0.12555603682994843F};
-    for (std::size_t i = 0; i < tau.size(); ++i) EXPECT_FLOAT_EQ(tau[i], expected[i]);
-}
-
-TEST_F(PaintTest, EachMapAppliesToItsLayers) {
-    std::vector<hrbfnpr_dab> dabs;
-    for (const std::uint32_t map : {HRBFNPR_DAB_DENSITY, HRBFNPR_DAB_DIRECTION})
+    for (const std::uint32_t map : {HRBFNPR_DAB_TONE, HRBFNPR_DAB_DENSITY, HRBFNPR_DAB_DIRECTION})
         for (const hrbfnpr_dab& dab : two_dabs(map)) dabs.push_back(dab);
-    auto camera = defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
-    Style style(pool);
-    Marks marks(pool);
+    PlannedCall given;
+    given.desc.dabs = dabs.data();
+    given.desc.dab_count = static_cast<std::int64_t>(dabs.size());
+    const Call call = given.call();
+    Marks marks(call.pool);
     for (const std::uint32_t kind : {HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_HATCH}) {
         marks.layers.push_back(defaults<hrbfnpr_layer_desc>(hrbfnpr_layer_desc_init));
         marks.layers.back().kind = kind;
     }
-    set_paint(dabs, camera, style, marks, pool);
-    EXPECT_EQ(style.base.tone, std::uint32_t{HRBFNPR_TONE_LIGHT});
-    EXPECT_EQ(marks.layers[0].density_function, painted_density);
-    EXPECT_EQ(marks.layers[0].direction_function, nullptr);
-    EXPECT_EQ(marks.layers[1].density_function, nullptr);
-    ASSERT_EQ(marks.layers[1].direction_function, painted_direction);
-    std::array<double, 3> way{};
-    EXPECT_EQ(painted_direction(marks.layers[1].direction_user, 1, &places[0].x, &normals[0].x, way.data()), 0);
-    EXPECT_NEAR(way[1], 0.5625, 1e-15);
-    double density = 0.0;
-    EXPECT_EQ(painted_density(marks.layers[0].density_user, 1, &places[0].x, &normals[0].x, &density), 0);
-    EXPECT_NEAR(density, 0.62875, 1e-15);
+    set_paint(call, marks);
+    EXPECT_EQ(marks.dabs.size(), 4U); // Dabs of tone do not decide where marks are.
+    EXPECT_EQ(marks.layers[0].direction_field, nullptr);
+    EXPECT_EQ(marks.layers[1].density_field, nullptr);
+    ASSERT_EQ(marks.layers[0].density, std::uint32_t{HRBFNPR_DENSITY_FIELD});
+    const Evaluated density = evaluated(marks.layers[0].density_field, 1);
+    const Marks copy(marks); // The copy keeps the fields alive.
+    marks = Marks(call.pool);
+    const Evaluated direction = evaluated(copy.layers[1].direction_field, 3);
+    const std::array expected{0.62875, 0.870271875, 0.841636775390625, 1.0};
+    const std::array<glm::dvec3, 4> ways{
+        glm::dvec3(0.35, 0.5625, 0.140625), glm::dvec3(0.0398671875, 0.9384765625, 0.234619140625),
+        glm::dvec3(0.09390076171875, 0.738525390625, 0.18463134765625), glm::dvec3(0.0)};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        EXPECT_NEAR(1.0 + density.weights[i] * (density.values[i] - 1.0), expected[i], 1e-14);
+        EXPECT_EQ(direction.weights[i], i < 3 ? 1.0 : 0.0); // A faint direction counts fully.
+        const glm::dvec3 way(direction.values[3 * i], direction.values[3 * i + 1], direction.values[3 * i + 2]);
+        EXPECT_NEAR(glm::length(glm::cross(way, ways[i])), 0.0, 1e-14);
+    }
 }
 
-TEST_F(PaintTest, ALightWithoutDirectionIsRefused) {
-    auto camera = defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
-    Style style(pool);
-    std::fill(style.base.light, style.base.light + 3, 0.0);
-    Marks marks(pool);
-    EXPECT_THROW(set_paint(two_dabs(HRBFNPR_DAB_TONE), camera, style, marks, pool), Error);
-    style.base.tone = HRBFNPR_TONE_NONE; // Without a tone no light is needed.
-    set_paint(two_dabs(HRBFNPR_DAB_TONE), camera, style, marks, pool);
-    EXPECT_EQ(style.base.tone_function, painted_tone);
+TEST(Paint, NumbersLieOverOthers) {
+    const auto dabs = two_dabs(HRBFNPR_DAB_TONE);
+    PlannedCall given;
+    given.desc.dabs = dabs.data();
+    given.desc.dab_count = 2;
+    const Call call = given.call();
+    const Field painted = field_of_dabs(call, HRBFNPR_DAB_TONE);
+    EXPECT_FALSE(field_of_dabs(call, HRBFNPR_DAB_DENSITY));
+    const Evaluated above = evaluated(painted.get(), 1);
+    const Field below = constant_field(call, HRBFNPR_FIELD_KIND_SCALAR, {0.5});
+    const Evaluated both = evaluated(numbers_over(call, below, painted)->field.get(), 1);
+    const Evaluated alone = evaluated(numbers_over(call, {}, painted)->field.get(), 1);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        EXPECT_EQ(both.weights[i], 1.0);
+        EXPECT_NEAR(both.values[i], 0.5 + above.weights[i] * (above.values[i] - 0.5), 1e-15);
+        EXPECT_EQ(alone.weights[i], above.weights[i]);
+        EXPECT_NEAR(alone.values[i], above.values[i], 1e-15);
+    }
+}
+
+TEST(Paint, DirectionsLieOverOthersWithoutASign) {
+    auto dab = two_dabs(HRBFNPR_DAB_DIRECTION)[0];
+    dab.strength = 0.25;
+    PlannedCall given;
+    given.desc.dabs = &dab;
+    given.desc.dab_count = 1;
+    const Call call = given.call();
+    const Field painted = field_of_dabs(call, HRBFNPR_DAB_DIRECTION);
+    const Field below = constant_field(call, HRBFNPR_FIELD_KIND_DIRECTION, {-1.0, -1.0, 0.0});
+    const Evaluated both = evaluated(directions_over(call, below, painted)->field.get(), 3);
+    EXPECT_NEAR(both.values[1] / both.values[0], 0.0, 1e-15);  // inside the dab
+    EXPECT_NEAR(both.values[10] / both.values[9], 1.0, 1e-15); // far from it
+    EXPECT_EQ(both.weights[0], 1.0);
+    EXPECT_EQ(both.weights[3], 1.0);
+    FieldOver half{&call.pool.memory(),
+                   below,
+                   constant_field(call, HRBFNPR_FIELD_KIND_DIRECTION, {1.0, 0.9, 0.0}),
+                   3,
+                   true,
+                   false};
+    std::array<double, 3> value{};
+    double weight = 1.0;
+    ASSERT_EQ(values_over(&half, 1, &places[0].x, &normals[0].x, value.data(), &weight), 0);
+    EXPECT_NEAR(value[1], 0.9, 1e-6); // The lower direction is turned, and does not cancel the upper one.
 }
 
 } // namespace

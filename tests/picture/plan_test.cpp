@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "picture/plan.h"
 
-#include "picture/paint.h"
 #include "planned_call.h"
 
 #include <array>
@@ -24,9 +23,8 @@ struct Planned {
 
 Planned planned(const Call& call, double width = 800.0, double height = 600.0, double area = 3.0,
                 double pixels = 200.0) {
-    const auto camera = defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
     Style style = plan_style(call, width, height, false);
-    Marks marks = plan_marks(call, style, area, pixels, 500, camera);
+    Marks marks = plan_marks(call, style, area, pixels, 500);
     return {std::move(style), std::move(marks)};
 }
 
@@ -322,16 +320,28 @@ TEST(Plan, ANamedStyleOverridesSettings) {
     EXPECT_EQ(made.marks.base.tone_ranges, std::uint32_t{HRBFNPR_TONE_RANGES_IN_TURN});
 }
 
-TEST(Plan, PaintReachesTheStyleAndTheLayers) {
-    hrbfnpr_dab dab{};
-    dab.struct_size = sizeof dab;
-    dab.normal[2] = dab.radius = dab.strength = 1.0;
+TEST(Plan, PaintReachesTheLayers) {
+    auto dab = defaults<hrbfnpr_dab>(hrbfnpr_dab_init);
+    dab.normal[2] = dab.radius = 1.0;
+    dab.map = HRBFNPR_DAB_DENSITY;
     PlannedCall given;
     given.desc.dabs = &dab;
     given.desc.dab_count = 1;
-    EXPECT_EQ(planned(given.call()).style.base.tone_function, painted_tone);
-    dab.map = HRBFNPR_DAB_DENSITY;
-    EXPECT_EQ(planned(given.call()).marks.layers[0].density_function, painted_density);
+    EXPECT_EQ(planned(given.call()).marks.layers[0].density, std::uint32_t{HRBFNPR_DENSITY_FIELD});
+}
+
+TEST(Plan, FieldsReachTheStyleAndTheMarks) {
+    PlannedCall given(HRBFNPR_PRESET_CROSS_HATCH);
+    given.change("style.field", "tone=quality:0..1,direction=flow,mask=good").change("style.hatch.mask_field", "");
+    given.change("style.palette", "#ff0000,#00ff00");
+    const Planned made = planned(given.call());
+    for (const hrbfnpr_layer_style& layer : made.style.layers) EXPECT_STREQ(layer.tone_field, "quality:0..1");
+    const hrbfnpr_layer_style hatch = made.style.style_of(HRBFNPR_LAYER_KIND_HATCH, nullptr);
+    EXPECT_EQ(hatch.mask_field, nullptr);
+    EXPECT_STREQ(made.style.style_of(HRBFNPR_LAYER_KIND_OWN, nullptr).mask_field, "good");
+    EXPECT_EQ(made.marks.direction_field, "flow");
+    ASSERT_EQ(made.style.palette.size(), 2U);
+    EXPECT_EQ(made.style.palette[1], (std::array{0.0F, 1.0F, 0.0F, 1.0F}));
 }
 
 TEST(Plan, APartGetsItsShareOfABudget) {

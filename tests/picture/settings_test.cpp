@@ -331,24 +331,30 @@ TEST_F(SettingsTest, OptionsAreWritten) {
     EXPECT_EQ(written(read(made.json.c_str()), desc()).json, made.json);
 }
 
-TEST_F(SettingsTest, APaintedToneIsWrittenAsTheToneBelowIt) {
-    const auto settings = with(R"("style": {"tone": "none"})");
-    Style painted(settings->style, pool);
-    painted.base.tone = HRBFNPR_TONE_CALLBACK;
-    const auto tone_of = [&](const std::shared_ptr<const Settings>& of, const char* change) {
-        const hrbfnpr_change one{sizeof one, 0, "style.tone", change};
-        hrbfnpr_picture_desc given = desc();
-        given.changes = &one;
-        given.change_count = change != nullptr ? 1 : 0;
-        auto camera = defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
-        camera.viewport[2] = camera.viewport[3] = 9.0;
-        const WrittenSettings made = write_settings(
-            Options(given, of, pool), {HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, camera, painted, nullptr, {}}, pool);
-        return read(made.json.c_str())->style.base.tone;
-    };
-    EXPECT_EQ(tone_of(settings, nullptr), std::uint32_t{HRBFNPR_TONE_NONE});
-    EXPECT_EQ(tone_of(nullptr, nullptr), std::uint32_t{HRBFNPR_TONE_LIGHT});
-    EXPECT_EQ(tone_of(settings, "light"), std::uint32_t{HRBFNPR_TONE_LIGHT});
+TEST_F(SettingsTest, FieldsAndInksAreWrittenAndRead) {
+    const auto settings = with(R"("style": {"palette": [[0.5, 0.25, 0.0, 1.0], [0.0, 0.0, 0.5, 1.0]],
+        "layers": [{"kind": "any", "tone_field": "-quality:0.2..0.9", "ink_field": "rgb", "palette_rule": "mixed"}]},
+        "marks": {"direction_field": "flow", "layers": [{"kind": "hatch"}]})");
+    const WrittenSettings made = written(settings, desc());
+    const auto again = read(made.json.c_str());
+    ASSERT_EQ(again->style.layers.size(), 1U);
+    const hrbfnpr_layer_style& layer = again->style.layers[0];
+    EXPECT_STREQ(layer.tone_field, "-quality:0.2..0.9");
+    EXPECT_STREQ(layer.ink_field, "rgb");
+    EXPECT_EQ(layer.mask_field, nullptr);
+    EXPECT_EQ(layer.palette_rule, std::uint32_t{HRBFNPR_PALETTE_MIXED});
+    ASSERT_EQ(again->style.palette.size(), 2U);
+    EXPECT_EQ(again->style.palette[0], (std::array{0.5F, 0.25F, 0.0F, 1.0F}));
+    EXPECT_EQ(field(*again, "marks.direction_field"), "flow");
+    EXPECT_EQ(written(again, desc()).json, made.json);
+    EXPECT_THROW(static_cast<void>(with(R"("style": {"palette": [[0.5, 0.25, 0.0]]})")), Error);
+    EXPECT_THROW(static_cast<void>(with(R"("marks": {"direction_field": 1})")), Error);
+}
+
+TEST_F(SettingsTest, AFunctionOfToneIsWrittenAsLight) {
+    auto settings = std::make_shared<Settings>(pool);
+    settings->style.base.tone = HRBFNPR_TONE_CALLBACK;
+    EXPECT_EQ(read(written(settings, desc()).json.c_str())->style.base.tone, std::uint32_t{HRBFNPR_TONE_LIGHT});
 }
 
 TEST_F(SettingsTest, EveryPresetIsWrittenAndRead) {

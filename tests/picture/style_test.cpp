@@ -2,11 +2,11 @@
 #include "picture/style.h"
 
 #include "picture/handles.h"
-#include "picture/paint.h"
 
 #include <array>
 #include <cstring>
 #include <gtest/gtest.h>
+#include <string>
 
 namespace picture_tests::style_test {
 namespace {
@@ -165,22 +165,41 @@ TEST_F(StyleTest, EqualMarksCompareEqual) {
 }
 
 TEST_F(StyleTest, MarksOfTheSamePaintCompareEqual) {
-    hrbfnpr_dab dab{};
-    dab.struct_size = sizeof dab;
-    dab.map = HRBFNPR_DAB_DENSITY;
-    dab.normal[2] = dab.radius = dab.strength = 1.0;
-    auto camera = defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
-    const auto painted = [&](double value) {
-        dab.value = value;
+    const auto painted = [&](double value, const char* direction) {
         Marks marks(pool);
         marks.layers.push_back(defaults<hrbfnpr_layer_desc>(hrbfnpr_layer_desc_init));
-        Style style(pool);
-        set_paint({&dab, 1}, camera, style, marks, pool);
-        EXPECT_EQ(marks.layers[0].density, std::uint32_t{HRBFNPR_DENSITY_CALLBACK});
-        return marks;
+        auto dab = defaults<hrbfnpr_dab>(hrbfnpr_dab_init);
+        dab.value = value;
+        marks.dabs.push_back(dab);
+        marks.direction_field = direction;
+        return Marks(marks);
     };
-    EXPECT_TRUE(painted(0.5).same_as(painted(0.5)));
-    EXPECT_FALSE(painted(0.5).same_as(painted(0.25)));
+    EXPECT_TRUE(painted(0.5, "flow").same_as(painted(0.5, "flow")));
+    EXPECT_FALSE(painted(0.5, "flow").same_as(painted(0.25, "flow")));
+    EXPECT_FALSE(painted(0.5, "flow").same_as(painted(0.5, "")));
+}
+
+TEST_F(StyleTest, FieldsAndInksAreCopied) {
+    std::string name = "quality";
+    const std::array<float, 8> inks{0.1F, 0.2F, 0.3F, 1.0F, 0.4F, 0.5F, 0.6F, 1.0F};
+    auto layer = defaults<hrbfnpr_layer_style>(hrbfnpr_layer_style_init);
+    layer.mask_field = name.c_str();
+    auto given = defaults<hrbfnpr_style>(hrbfnpr_style_init);
+    given.layers = &layer;
+    given.layer_count = 1;
+    given.palette = inks.data();
+    given.palette_count = 2;
+    Style first(given, pool);
+    name = "another";
+    const Style copy(first);
+    first = Style(pool);
+    const hrbfnpr_style view = copy.view();
+    EXPECT_STREQ(view.layers[0].mask_field, "quality");
+    EXPECT_EQ(view.layers[0].tone_field, nullptr);
+    ASSERT_EQ(view.palette_count, 2);
+    EXPECT_EQ(view.palette[6], 0.6F);
+    given.palette_count = 9;
+    EXPECT_THROW(Style(given, pool), Error);
 }
 
 } // namespace
