@@ -110,7 +110,9 @@ GROUPS = {
                "(default: 1)"),  # fmt: skip
         number("fill_light", "style.fill_light", "X", "strength of a second light from the opposite side; 0 to 1 "
                "(default: 0.25)"),  # fmt: skip
-        Option("light", "style.light", "direction", "X,Y,Z", "direction towards the light (default: -0.4,0.6,0.7)"),
+        Option("light", "style.light", "lights", "X,Y,Z", "direction towards the light; X,Y,Z:intensity=N,shadow=N,"
+               "softness=N,space=NAME,place says more, and place makes X,Y,Z its position; may be repeated for up to 8 "
+               "lights (default: -0.4,0.6,0.7)"),  # fmt: skip
         choice("light_space", "style.light_space", "whether the light stands in the world or moves with the camera "
                "(default: camera)"),  # fmt: skip
         number("shadow", "style.light_shadow", "X", "how dark the shadows are that the light casts; 0 to 1 (default: 0 = "

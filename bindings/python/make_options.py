@@ -15,7 +15,8 @@ WIDTH = 120
 TYPES = {
     "flag": "bool", "number": "Optional[float]", "count": "Optional[int]", "choice": "Optional[str]", "text": "Optional[str]",
     "vector": "Optional[Floats]", "direction": "Direction", "up": "Direction", "paint": "Optional[Color]", "size": "Size",
-    "layers": "Names", "lines": "Names", "per_layer": "PerLayer", "interval": "Optional[Floats]", "edges": "NumberOr", "ground": "Ground",
+    "layers": "Names", "lines": "Names", "per_layer": "PerLayer", "interval": "Optional[Floats]", "edges": "NumberOr",
+    "ground": "Ground", "lights": "Lights",
     "number_or_auto": "NumberOr", "count_or_auto": "NumberOr", "assignment": "Optional[Mapping[str, Any]]",
     "file": "Optional[Any]", "page": "Size", "pens": "Names", "pen_widths": "Optional[Floats]",
     "fields": "Fields", "palette": "Palette",

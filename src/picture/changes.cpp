@@ -7,6 +7,8 @@
 #include "base/utf8.h"
 #include "picture/field_names.h"
 #include "picture/field_table.h"
+#include "picture/handles.h"
+#include "picture/lights.h"
 #include "picture/tuning_settings.h"
 
 #include <algorithm>
@@ -137,6 +139,15 @@ struct ChangeTarget {
     fail(Status::invalid_argument, "%s%s", begin.data(), listed_names(names, target.field_name, room, pool).c_str());
 }
 
+[[nodiscard]] bool is_light(const ChangeTarget& target) noexcept {
+    return target.record == Record::style && target.field_name == "light";
+}
+
+[[nodiscard]] bool are_lights(std::string_view value, Pool& pool) {
+    const auto any = defaults<hrbfnpr_light>(hrbfnpr_light_init);
+    return is_list_of_lights(value) && read_lights(value, any, any, pool).has_value();
+}
+
 // Parses colours with commas between them. Returns nullopt for any other text.
 [[nodiscard]] std::optional<Vector<std::array<float, 4>>> parse_palette(std::string_view text, Pool& pool) {
     Vector<std::array<float, 4>> inks(&pool);
@@ -202,7 +213,9 @@ void check_change(const ChangeTarget& target, const char* name, std::string_view
                                                                    : *target.field;
     if (field.meaning == Meaning::text || parse_value(field, value)) return;
     if (is_regularization(target) && same_name(value, "auto")) return;
+    if (is_light(target) && are_lights(value, pool)) return;
     String wanted = wanted_for(field, pool);
+    if (is_light(target)) (wanted += "; or ") += wanted_lights;
     if (is_regularization(target)) wanted += " or auto";
     fail(Status::invalid_argument, "%s.value of %.*s is \"%.60s\"; it must be %s", name, static_cast<int>(path.size()),
          path.data(), String(value, &pool).c_str(), wanted.c_str());

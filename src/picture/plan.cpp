@@ -3,6 +3,7 @@
 
 #include "base/assert.h"
 #include "picture/field_table.h"
+#include "picture/lights.h"
 #include "picture/paint.h"
 #include "picture/tuning_plan.h"
 #include "picture/wanted_lines.h"
@@ -146,12 +147,31 @@ void set_ambient(const Call& call, double share, Style& style) {
     for (hrbfnpr_light& light : style.lights) light.intensity *= rest;
 }
 
+// Applies "style.light", which replaces all lights. What it does not say comes from the style's single light.
+void set_lights(const Call& call, Style& style) {
+    const std::optional<std::string_view> text = call.options.changes.value("style.light");
+    if (!text) return;
+    style.lights.clear();
+    if (!is_list_of_lights(*text)) return; // The direction is a field of the style.
+    const hrbfnpr_style& base = style.base;
+    auto others = defaults<hrbfnpr_light>(hrbfnpr_light_init);
+    others.space = base.light_space;
+    others.softness = base.light_softness;
+    hrbfnpr_light first = others;
+    first.intensity = base.light_intensity;
+    first.shadow = base.light_shadow;
+    others.intensity = plan_tuning.second_light;
+    if (const auto lights = read_lights(*text, first, others, call.pool))
+        style.lights.assign(lights->begin(), lights->end());
+}
+
 // Applies "style.F". "style.ink" sets the ink of layers, lines and contours. "style.silhouette_ink" is applied after
 // it, and sets the ink of contours and lines.
 void change_style(const Call& call, Style& style) {
     const Changes& changes = call.options.changes;
     if (const std::optional<double> share = changes.number("style.ambient")) set_ambient(call, *share, style);
     changes.apply("style", style.base);
+    set_lights(call, style);
     float contours[4];
     std::copy(style.base.silhouette_ink, style.base.silhouette_ink + 4, contours);
     if (const auto given = changes.colour("style.ink")) {

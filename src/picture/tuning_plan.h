@@ -39,6 +39,8 @@ struct PlanTuning {
     double ambient_sky = 0.42;
     double ambient_ground = 0.14;
     double ambient_from_lights = 0.2;
+    // The intensity of the second and further lights of "style.light", if it is not given. Larger: flatter forms.
+    float second_light = 0.5F;
 };
 inline constexpr PlanTuning plan_tuning;
 

@@ -177,7 +177,7 @@ TEST_F(ChangesTest, InvalidChangesAreNamed) {
         {{"look.halo", "1"}, "must begin with one of style., fit., mesh_fit., marks., line_set."},
         {{"style", "1"}, "must begin with one of style."},
         {{"", "1"}, "must begin with"},
-        {{"style.hach.ink", "1"}, "there are no layers hach; there are any, stipples, hatch, own, layers, lines"},
+        {{"style.hach.ink", "1"}, "there are no layers hach; there are any, stipples, hatch, own, layers, ground, lines"},
         {{"marks.own.budget", "1"}, "there are no layers own; there are stipples,"},
         {{"style.hatch.kind", "any"}, "has no field kind"},
         {{"style.hatch.ink.x", "1"}, "has no field ink.x"},

@@ -6,6 +6,7 @@ from typing import Any, Mapping, Optional, Sequence, Tuple, Union
 from ._camera import Camera
 from ._context import Context
 from ._fields import Color
+from ._light import Light
 from ._picture import Picture as Picture
 from ._report import Progress
 from ._style import Style
@@ -18,6 +19,7 @@ Ground = Union[None, bool, str, float]
 PerLayer = Union[None, int, Mapping[str, int]]
 Fields = Union[None, str, Sequence[str], Mapping[str, str]]
 Palette = Union[None, str, Sequence[Color]]
+Lights = Union[None, str, Floats, Light, Sequence[Union[str, Floats, Light]]]
 Size = Union[None, int, str, Tuple[int, int]]
 
 def draw(
@@ -38,7 +40,7 @@ def draw(
     splat_radius: Optional[float] = ..., splat_overlap: Optional[float] = ..., halo: Optional[float] = ...,
     tone: Optional[str] = ..., tone_rule: Optional[str] = ..., tone_curve: Optional[str] = ...,
     tone_fade: Optional[float] = ..., tone_exponent: Optional[float] = ..., fill_light: Optional[float] = ...,
-    light: Direction = ..., light_space: Optional[str] = ..., shadow: Optional[float] = ...,
+    light: Lights = ..., light_space: Optional[str] = ..., shadow: Optional[float] = ...,
     softness: Optional[float] = ..., occlusion: Optional[float] = ..., rim_light: Optional[float] = ...,
     steps: Optional[float] = ..., black_point: Optional[float] = ..., white_point: Optional[float] = ...,
     gamma: Optional[float] = ..., ground: Ground = ..., contrast: Optional[float] = ...,

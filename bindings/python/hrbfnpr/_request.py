@@ -14,6 +14,7 @@ from ._arrays import block_in
 from ._errors import new_list, new_struct
 from ._fields import color
 from ._library import ffi, lib
+from ._light import Light
 from ._model import Model
 from ._names import NORMALS
 from ._options import OPTIONS, Option
@@ -72,6 +73,8 @@ def parsed(name: str, row: Option, value: Any) -> Any:
         return bool(value)
     if row.kind == "palette" and not isinstance(value, str):
         value = [_hex(one) for one in value]
+    if row.kind == "lights":
+        value = _lights(value)
     text = _words(value, "x" if row.kind in _WIDTH_BY_HEIGHT else ",")
     if row.kind == "lines" and not text:
         text = "none"
@@ -113,6 +116,20 @@ def _hex(value: Any) -> str:
     if isinstance(value, str):
         return value
     return "#" + "".join(f"{round(255 * part):02x}" for part in color("palette", tuple(value)))
+
+
+def _lights(value: Any) -> Any:
+    """One light, or several as a text: directions, texts, or `Light` objects."""
+    if isinstance(value, Light):
+        value = [value]
+    if not isinstance(value, (list, tuple)) or not any(isinstance(one, (str, Light, list, tuple)) for one in value):
+        return value
+    return ";".join(_light_in_words(one) if isinstance(one, Light) else _words(one, ",") for one in value)
+
+
+def _light_in_words(light: Light) -> str:
+    more = [f"{name}={getattr(light, name)}" for name in _values.LIGHT_FIELDS]
+    return f"{_words(light.place, ',')}:{','.join(more + ['place'] * (light.kind == 'place'))}"
 
 
 def _assignments(value: Any) -> Any:
@@ -324,7 +341,8 @@ _IN_WORDS = {
     "flag": "bool", "number": "float", "count": "int", "text": "str", "vector": "(x, y, z)", "direction": "(x, y, z) or str",
     "up": "(x, y, z) or str", "paint": "(r, g, b, a) or str", "size": "(width, height) or int", "layers": "str or sequence of str",
     "lines": "str or sequence of str", "per_layer": "int, or mapping of str to int", "interval": "(low, high)",
-    "edges": "str or float", "ground": "bool or float", "number_or_auto": "float or str", "count_or_auto": "int or str",
+    "edges": "str or float", "ground": "bool or float",
+    "lights": "(x, y, z), str, Light, or a sequence of these", "number_or_auto": "float or str", "count_or_auto": "int or str",
     "assignment": "mapping of str", "file": "path", "page": "(width, height) or str", "pens": "str",
     "pen_widths": "sequence of float", "fields": "str, sequence of str, or mapping of str to str",
     "palette": "str or sequence of colours",

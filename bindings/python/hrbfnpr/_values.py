@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple, Un
 
 from . import _records
 from ._fields import color
-from ._names import LAYER_KINDS, LINE_KINDS, LINE_TYPES, MADE_KINDS, PRESETS, number_of
+from ._names import LAYER_KINDS, LIGHT_SPACES, LINE_KINDS, LINE_TYPES, MADE_KINDS, PRESETS, number_of
 from ._style import LayerStyle, Style
 
 if TYPE_CHECKING:
@@ -94,6 +94,33 @@ def direction(text: str) -> Vector:
     if not any(result):
         raise wrong("a direction must not be 0,0,0")
     return result
+
+
+LIGHT_FIELDS = ("intensity", "shadow", "softness", "space")
+
+
+def light(text: str) -> str:
+    """A light, as X,Y,Z or X,Y,Z:intensity=N,shadow=N,softness=N,space=NAME,place."""
+    place, colon, rest = text.partition(":")
+    parts = rest.split(",") if rest else []
+    towards = vector(place) if "place" in parts else direction(place)
+    for part in parts:
+        name, _, value = part.partition("=")
+        if part == "place":
+            continue
+        if name not in LIGHT_FIELDS:
+            raise wrong(f"a light has no {part!r}; it has {', '.join(LIGHT_FIELDS)} and place, such as 1,1,0:shadow=1")
+        if name == "space":
+            if value not in LIGHT_SPACES:
+                raise wrong(f"the space of a light is {', '.join(LIGHT_SPACES)}, not {value!r}")
+        else:
+            number(value)
+    return ",".join(map(repr, towards)) + colon + rest
+
+
+def lights(text: str) -> str:
+    """Lights with semicolons between them."""
+    return ";".join(light(part) for part in text.split(";"))
 
 
 def or_auto(parse: Callable[[str], Any], of_auto: Any = None) -> Callable[[str], Any]:
@@ -327,7 +354,7 @@ _PARSERS: Dict[str, Callable[[str], Any]] = {
     "number": number, "vector": vector, "direction": direction, "up": up, "paint": paint, "size": size, "layers": layers,
     "per_layer": per_layer, "lines": lines, "interval": interval, "edges": edges, "text": str, "file": str,
     "number_or_auto": or_auto(number, "auto"), "assignment": assignment, "ground": ground, "page": page, "pens": pens,
-    "pen_widths": pen_widths, "fields": fields, "palette": palette,
+    "pen_widths": pen_widths, "fields": fields, "palette": palette, "lights": lights,
 }  # fmt: skip
 
 

@@ -60,6 +60,8 @@ class Parser(argparse.ArgumentParser):
 def options_of(arguments: Any) -> Options:
     """The options of the drawing that are on the command line, by name."""
     found = {row.name: getattr(arguments, f"option_{row.name}", None) for row in OPTIONS}
+    if found["light"]:
+        found["light"] = ";".join(found["light"])
     given = {name: value for name, value in found.items() if value is not None and value is not False and value != []}
     return {name: _plain(BY_NAME[name], value) for name, value in given.items()}
 
@@ -80,6 +82,8 @@ def _add_option(group: Any, row: Option) -> None:
         shown = [choice.replace("_", "-") for choice in row.choices]
         words = f"{words}; one of {', '.join(shown)}"
         group.add_argument(name, dest=dest, default=None, choices=shown, metavar=row.metavar, help=words)
+    if found["light"]:
+        found["light"] = ";".join(found["light"])
     elif row.kind in ("assignment", "fields"):  # may be given more than once
         parse = values.parser_of(row.kind)
         group.add_argument(name, dest=dest, action="append", default=[], type=parse, metavar=row.metavar, help=words)
