@@ -361,6 +361,15 @@ void make_ground(hrbfnpr_picture& picture, const Call& call) {
     call.report.note(HRBFNPR_NOTE_NO_GROUND, {}, why);
 }
 
+// Lets the light of the sky come from above, unless the caller or the settings say from where.
+void set_sky(hrbfnpr_picture& picture) {
+    const Options& options = picture.options;
+    const bool is_asked = options.changes.has("style.ambient") && !options.changes.has("style.ambient_up");
+    if (!is_asked || options.style || options.takes_style_of_settings) return;
+    const glm::dvec3 up = glm::normalize(picture.surfaces().up);
+    std::copy(&up.x, &up.x + 3, picture.style->base.ambient_up);
+}
+
 void plan_point_set(hrbfnpr_picture& picture, const Call& call) {
     const Surfaces& surfaces = picture.surfaces();
     picture.camera = choose_camera(picture);
@@ -388,6 +397,7 @@ void plan_surfaces(hrbfnpr_picture& picture, const Call& call) {
     const hrbfnpr_camera& camera = picture.camera;
     picture.style.emplace(plan_style(call, camera.viewport[2], camera.viewport[3], has_end));
     resolve_fields(picture, call);
+    set_sky(picture);
     for (const Surface& surface : surfaces.list) {
         Part& part = picture.parts.emplace_back();
         part.marks = surface.marks;

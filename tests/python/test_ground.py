@@ -144,3 +144,9 @@ def test_settings_keep_the_ground(tmp_path, monkeypatch):
         assert main([*call[:3], option, *call[3:], "--set", "ground.ink=#204080", "--save-settings", "s.json"]) == 0
         assert main(["draw", "ball.xyzn", "b.png", "--up", "y", "--settings", "s.json", "-q"]) == 0
         assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
+
+
+def test_sky_is_up():
+    for up, sky in (("z", (0, 0, 1)), ("-y", (0, -1, 0))):
+        assert drawn("silhouette", up=up, occlusion=0.5, ground=None).style.ambient_up == sky
+    assert drawn("silhouette", up="z", occlusion=0.5, ground=None, set={"ambient_up": "1,0,0"}).style.ambient_up == (1, 0, 0)

@@ -291,7 +291,7 @@ def _set(owner: Union[Style, LayerStyle], field: str, text: str) -> None:
         setattr(owner, field, type(present)(number(text)))
     elif field == "directions":
         setattr(owner, field, text.split(","))
-    elif field == "light":
+    elif field in ("light", "ambient_up"):
         setattr(owner, field, direction(text))
     else:
         setattr(owner, field, paint(text) if isinstance(present, tuple) else text)
