@@ -52,6 +52,23 @@ namespace HrbfNpr
             get { return Kind == FieldKind.Scalar ? 1 : 3; }
         }
 
+        /// <summary>Makes a new reference to a field of a picture's layers; null if there is none.</summary>
+        /// <param name="value">The field; may be zero.</param>
+        /// <param name="kind">The kind of its values.</param>
+        /// <param name="owner">The handle of the picture; null for a preset.</param>
+        internal static Field Of(IntPtr value, FieldKind kind, SafeHandle owner)
+        {
+            if (value == IntPtr.Zero || owner == null)
+            {
+                return null;
+            }
+            var made = new Field(kind);
+            made.handle.Keep(owner);
+            NativeMethods.hrbfnpr_field_retain(value);
+            made.handle.Take(value, ((NativeHandle)owner).Anchor);
+            return made;
+        }
+
         /// <summary>Makes a field from values at points, or at the vertices of a mesh.</summary>
         /// <param name="points">n points; float or double.</param>
         /// <param name="values">n or 3 n numbers; float, double or byte.  Colours are sRGB-encoded, 0 to 1, or bytes

@@ -234,6 +234,8 @@ namespace HrbfNpr
                 Guide = (HatchGuide)desc->guide,
                 GuideDirection = *(Vector3d*)desc->guide_direction,
                 GuideWeight = desc->guide_weight,
+                DensityField = Field.Of(desc->density_field, FieldKind.Scalar, owner),
+                DirectionField = Field.Of(desc->direction_field, FieldKind.Direction, owner),
                 NativeDensity = NativeFunction.Of(desc->density_function, desc->density_user, owner),
                 NativeDirection = NativeFunction.Of(desc->direction_function, desc->direction_user, owner),
             };

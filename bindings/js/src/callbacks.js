@@ -47,7 +47,7 @@ const ADAPTERS = {
   hrbfnpr_field_fn: (library, call, count, positions, normals, values, weights) => {
     const n = Number(count);
     return void call(doubles(library, positions >>> 0, 3 * n), doubles(library, normals >>> 0, 3 * n), {
-      values: doubles(library, values >>> 0, 3 * n), weights: doubles(library, weights >>> 0, n) });
+      values: doubles(library, values >>> 0, call.components * n), weights: doubles(library, weights >>> 0, n) });
   },
   hrbfnpr_tone_fn: (library, call, count, positions, normals, tau) => {
     const n = Number(count);

@@ -32,10 +32,14 @@ export class Field extends Made {
   static made(context, { values, image, camera, triangles, ...options }, control) {
     const kind = constant("FIELD_KIND", options.kind ?? FIELD_KIND.SCALAR, "field.kind");
     const source = SOURCES.find((name) => name === "image" ? image : options[name]) ?? "points";
+    const components = kind === FIELD_KIND.SCALAR ? 1 : 3;
+    const given = options.function;
     return Call.with(context.library, (call) => {
       const desc = call.structOf({
         ...options, source,
-        values: values === undefined ? undefined : { data: values, components: kind === FIELD_KIND.SCALAR ? 1 : 3 },
+        // The adapter of the callback asks for `components`.
+        function: typeof given === "function" ? Object.assign((...passed) => given(...passed), { components }) : given,
+        values: values === undefined ? undefined : { data: values, components },
         triangles: Array.isArray(triangles) ? Int32Array.from(triangles.flat()) : triangles,
         image: image && imageOf(call, image), camera: camera && { ...camera },
       }, "hrbfnpr_field_desc", "field");

@@ -196,6 +196,15 @@ namespace HrbfNpr
     internal sealed class FieldHandle : NativeHandle
     {
         private UserHandle user;
+        private SafeHandle source;
+
+        /// <summary>Keeps an object of the library, which has the function of the field, as long as the field.</summary>
+        internal void Keep(SafeHandle owner)
+        {
+            bool held = false;
+            owner.DangerousAddRef(ref held);
+            source = owner;
+        }
 
         /// <summary>Keeps the state of a function as long as the field; returns its <c>user</c> pointer.</summary>
         internal IntPtr Keep(CallbackState state)
@@ -214,6 +223,10 @@ namespace HrbfNpr
         {
             NativeMethods.hrbfnpr_field_release(value);
             user.Dispose();
+            if (source != null)
+            {
+                source.DangerousRelease();
+            }
         }
     }
 
