@@ -119,8 +119,8 @@ GROUPS = {
                "it casts none)"),  # fmt: skip
         number("softness", "style.light_softness", "RADIANS", "radius of the light as it is seen from the surface; larger "
                "is softer shadows; 0 to 0.5 (default: 0 = sharp borders)"),  # fmt: skip
-        number("occlusion", "style.ambient", "X", "share of the light that comes from the sky and the ground, which hollows "
-               "see less of; 0 to 1 (default: from the style)"),  # fmt: skip
+        number("occlusion", "style.occlusion_lights", "X", "share of the light that is lost in hollows, where no sky is seen; "
+               "0 to 1 (default: from the style)"),  # fmt: skip
         number("rim_light", "style.rim_light", "X", "strength of a light that makes contours lighter; 0 to 16 (default: "
                "0)"),  # fmt: skip
         number("steps", "style.tone_steps", "N", "number of flat tones, 2 to 6 (default: 0 = continuous tones)"),

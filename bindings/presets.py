@@ -33,6 +33,7 @@ GRAPHITE = (0.20, 0.20, 0.22, 1.0)
 CHALK = (0.91, 0.95, 1.0, 1.0)
 WARM_PAPER = (0.98, 0.96, 0.915, 1.0)
 BLUE_PAPER = (0.09, 0.25, 0.47, 1.0)
+OCCLUSION = 0.8  # how much of the light is lost in hollows, in pictures and on items with a shading
 UPPER_LEFT = (-0.5, 0.5, 0.7071067811865476)  # 45 degrees from the view, the convention of scientific drawings
 
 
@@ -186,7 +187,7 @@ PRESETS = [
         layers=[shown("stipples", radius=0.7, share=0.45), crossed(0.40, 0.75, 0.34, "hatch-1"), crossed(0.62, 0.95, 0.34, "hatch-2"),
                 crossed(0.40, 0.95, 0.34)],
         lines=PLAIN_LINES,
-        style={"silhouette_radius": 1.2, "halo_width": 4.0},
+        style={"silhouette_radius": 1.2, "halo_width": 4.0, "occlusion_lights": OCCLUSION},
     ),
     Preset(
         "engraving",
@@ -195,7 +196,7 @@ PRESETS = [
         marks=[STIPPLES, hatching()],
         layers=[swelling(0.15, 0.95, 0.74), hidden("any")],
         lines=PLAIN_LINES,
-        style={"silhouette_radius": 1.2, "hidden_lines": "hide"},
+        style={"silhouette_radius": 1.2, "hidden_lines": "hide", "occlusion_lights": OCCLUSION},
     ),
     Preset(
         "etching",
@@ -206,7 +207,7 @@ PRESETS = [
         layers=[swelling(0.15, 0.55, 0.36, "hatch-1"), swelling(0.40, 0.75, 0.36, "hatch-2"),
                 swelling(0.66, 0.92, 0.36, "hatch-3"), hidden("any")],
         lines=PLAIN_LINES,
-        style={"silhouette_radius": 1.2, "hidden_lines": "hide"},
+        style={"silhouette_radius": 1.2, "hidden_lines": "hide", "occlusion_lights": OCCLUSION},
     ),
     Preset(
         "woodcut",
@@ -216,7 +217,7 @@ PRESETS = [
         layers=[swelling(0.22, 0.75, 1.0, hatch_spacing=5.0, hatch_pen=0.9, hatch_white=0.0, hatch_taper=20.0,
                          hatch_shortest=12.0), hidden("any")],
         lines=with_creases(contour(3.6, outline_factor=1.5), 2.4),
-        style={"silhouette_radius": 1.2, "hidden_lines": "hide"},
+        style={"silhouette_radius": 1.2, "hidden_lines": "hide", "occlusion_lights": OCCLUSION},
     ),
     Preset(
         "scientific-stipple",
@@ -225,7 +226,7 @@ PRESETS = [
         marks=[{**STIPPLES, "tone_begin": 0.08, "tone_end": 1.0}],  # the lights stay empty
         layers=[shown("stipples", radius=0.6, share=0.85), hidden("any")],
         lines=with_creases(contour(1.3, outline_factor=1.6, lit_factor=0.55, taper=16.0), 0.9),
-        style={"silhouette_radius": 0.8, "light": UPPER_LEFT, "tone_exponent": 0.8},
+        style={"silhouette_radius": 0.8, "light": UPPER_LEFT, "tone_exponent": 0.8, "occlusion_lights": OCCLUSION},
     ),
     Preset(
         "sketch",

@@ -2399,7 +2399,9 @@ typedef struct hrbfnpr_style {
                                     number from -1 to 1, tanh(3 H scale) of the mean curvature H, which is above 0 on a
                                     ball; 0 .. 16; default 0.  It has an effect on items whose shading was made with it
                                     (hrbfnpr_shading_desc.curvature_scale) */
-    uint32_t reserved4;
+    float occlusion_lights;      /* share of the light of all lights and of the fill light that is lost where no sky is
+                                    seen, 0 .. 1; default 0.  Hollows get darker, and the rest stays as it is.  It has
+                                    an effect on items with a shading */
     const float* palette;        /* inks for ink_field, palette_count x 4, straight RGBA in [0, 1], sRGB-encoded; default
                                     NULL.  It is read during _draw only */
     int64_t palette_count;       /* number of inks; 0 .. 8; default 0.  An ink_field needs at least one */

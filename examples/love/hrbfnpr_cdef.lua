@@ -337,7 +337,7 @@ typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[
     const hrbfnpr_light* lights; int64_t light_count; int64_t light_stride; double ambient_up[3]; float ambient_sky;
     float ambient_ground; float occlusion; float occlusion_exponent; float rim_light; float rim_exponent;
     float tone_black; float tone_white; float tone_gamma; uint32_t tone_steps; float curvature_contrast;
-    uint32_t reserved4; const float* palette; int64_t palette_count; } hrbfnpr_style;
+    float occlusion_lights; const float* palette; int64_t palette_count; } hrbfnpr_style;
 hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
 enum { HRBFNPR_PRESET_STIPPLE = 0, HRBFNPR_PRESET_HATCH = 1, HRBFNPR_PRESET_CROSS_HATCH = 2, HRBFNPR_PRESET_COMBING = 3,
     HRBFNPR_PRESET_SILHOUETTE = 4, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, HRBFNPR_PRESET_XRAY = 6,

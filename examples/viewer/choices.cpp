@@ -4,7 +4,6 @@
 #include "files.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -75,12 +74,6 @@ void Choices::change(const std::string& field, const std::string& value) {
     const auto is_same = [&](const auto& change) { return change.first == field; };
     changes.erase(std::remove_if(changes.begin(), changes.end(), is_same), changes.end());
     changes.emplace_back(field, value);
-}
-
-float Choices::number_of(const std::string& field) const {
-    const auto is_same = [&](const auto& change) { return change.first == field; };
-    const auto found = std::find_if(changes.begin(), changes.end(), is_same);
-    return found == changes.end() ? 0.0F : std::strtof(found->second.c_str(), nullptr);
 }
 
 void Choices::forget(const std::string& beginning) {

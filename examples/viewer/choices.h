@@ -36,8 +36,6 @@ struct Choices {
     bool is_preview = false; // draws only stipples, which are ready sooner than hatching
 
     void change(const std::string& field, const std::string& value);
-    // Returns the number that a field is changed to; 0 if it is not changed.
-    float number_of(const std::string& field) const;
     // Removes the changes whose field names have this beginning.
     void forget(const std::string& beginning);
     bool has_lengths() const { return pen > 0 || line_width > 0 || !changes.empty(); }

@@ -261,22 +261,11 @@ void marks_panel(App& app, Ui& ui) {
     if (ImGui::Button("Automatic: as the style needs")) app.forget_marks();
 }
 
-namespace {
-
-// Edits the share of the light that comes from the sky and the ground, which is the option --occlusion.
-void edit_occlusion(App& app) {
-    float share = app.choices.number_of("style.ambient");
-    ImGui::SliderFloat("occlusion", &share, 0, 1);
-    if (ImGui::IsItemDeactivatedAfterEdit()) app.change("style.ambient", decimals(static_cast<double>(share)));
-}
-
-} // namespace
-
 void light_panel(App& app) {
     if (app.scene() == nullptr) return;
     const Edited edited{app, style_name, "style", &app.sheet.style};
     edit_field(edited, "tone");
-    edit_occlusion(app);
+    slide(edited, "occlusion_lights", "occlusion", 0, 1, Counts::when_let_go);
     slide(edited, "light_shadow", "cast shadows", 0, 1, Counts::when_let_go);
     slide(edited, "light_softness", "softness of shadows", 0, 0.3, Counts::when_let_go);
     slide(edited, "fill_light", "fill light", 0, 1);

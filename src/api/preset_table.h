@@ -467,28 +467,28 @@ inline constexpr Preset presets[] = {
      xray_marks},
     {"full",
      changed(default_style(), [](auto& to) {
-         to.silhouette_radius = 1.2F; to.halo_width = 4.0F;
+         to.silhouette_radius = 1.2F; to.halo_width = 4.0F; to.occlusion_lights = 0.8F;
          to.layers = full_layers; to.layer_count = std::ssize(full_layers);
          to.lines = full_lines; to.line_count = std::ssize(full_lines);
      }),
      full_marks},
     {"engraving",
      changed(default_style(), [](auto& to) {
-         to.silhouette_radius = 1.2F; to.hidden_lines = HRBFNPR_HIDDEN_LINES_HIDE;
+         to.silhouette_radius = 1.2F; to.hidden_lines = HRBFNPR_HIDDEN_LINES_HIDE; to.occlusion_lights = 0.8F;
          to.layers = engraving_layers; to.layer_count = std::ssize(engraving_layers);
          to.lines = engraving_lines; to.line_count = std::ssize(engraving_lines);
      }),
      engraving_marks},
     {"etching",
      changed(default_style(), [](auto& to) {
-         to.silhouette_radius = 1.2F; to.hidden_lines = HRBFNPR_HIDDEN_LINES_HIDE;
+         to.silhouette_radius = 1.2F; to.hidden_lines = HRBFNPR_HIDDEN_LINES_HIDE; to.occlusion_lights = 0.8F;
          to.layers = etching_layers; to.layer_count = std::ssize(etching_layers);
          to.lines = etching_lines; to.line_count = std::ssize(etching_lines);
      }),
      etching_marks},
     {"woodcut",
      changed(default_style(), [](auto& to) {
-         to.silhouette_radius = 1.2F; to.hidden_lines = HRBFNPR_HIDDEN_LINES_HIDE;
+         to.silhouette_radius = 1.2F; to.hidden_lines = HRBFNPR_HIDDEN_LINES_HIDE; to.occlusion_lights = 0.8F;
          to.layers = woodcut_layers; to.layer_count = std::ssize(woodcut_layers);
          to.lines = woodcut_lines; to.line_count = std::ssize(woodcut_lines);
      }),
@@ -496,7 +496,7 @@ inline constexpr Preset presets[] = {
     {"scientific-stipple",
      changed(default_style(), [](auto& to) {
          to.silhouette_radius = 0.8F; to.light[0] = -0.5; to.light[1] = 0.5; to.light[2] = 0.7071067811865476;
-         to.tone_exponent = 0.8;
+         to.tone_exponent = 0.8; to.occlusion_lights = 0.8F;
          to.layers = scientific_stipple_layers; to.layer_count = std::ssize(scientific_stipple_layers);
          to.lines = scientific_stipple_lines; to.line_count = std::ssize(scientific_stipple_lines);
      }),

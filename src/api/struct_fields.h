@@ -295,7 +295,7 @@ inline constexpr FieldLayout fields_of_hrbfnpr_style[] = {
     FIELD(ambient_sky, "float"), FIELD(ambient_ground, "float"), FIELD(occlusion, "float"),
     FIELD(occlusion_exponent, "float"), FIELD(rim_light, "float"), FIELD(rim_exponent, "float"),
     FIELD(tone_black, "float"), FIELD(tone_white, "float"), FIELD(tone_gamma, "float"), FIELD(tone_steps, "uint32_t"),
-    FIELD(curvature_contrast, "float"), FIELD(reserved4, "uint32_t"), FIELD(palette, "const float*"),
+    FIELD(curvature_contrast, "float"), FIELD(occlusion_lights, "float"), FIELD(palette, "const float*"),
     FIELD(palette_count, "int64_t")};
 #undef RECORD
 #define RECORD hrbfnpr_dab

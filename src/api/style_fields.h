@@ -153,7 +153,7 @@ static_assert(layer_style_fields().covers<hrbfnpr_layer_style>());
         field("tone_gamma", &Given::tone_gamma, &To::tone_gamma, rule::PositiveUpTo{16.0}),
         field("tone_steps", &Given::tone_steps, &To::tone_steps, rule::Between{0.0, 6.0}),
         field("curvature_contrast", &Given::curvature_contrast, &To::curvature_contrast, strength),
-        reserved("reserved4", &Given::reserved4),
+        field("occlusion_lights", &Given::occlusion_lights, &To::occlusion_lights, share),
         field("palette", &Given::palette, rule::Any{}),
         field("palette_count", &Given::palette_count, rule::Any{})};
 }

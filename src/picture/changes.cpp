@@ -25,7 +25,7 @@ constexpr std::string_view lines_part = "lines";
 constexpr std::string_view ground_part = "ground";
 
 // Texts that change several fields.
-enum class Special : std::uint8_t { none, ink, ambient, palette, field, direction_field };
+enum class Special : std::uint8_t { none, ink, palette, field, direction_field };
 
 // The struct and the field that a path names.
 struct ChangeTarget {
@@ -58,7 +58,6 @@ struct ChangeTarget {
 [[nodiscard]] Special special_of(std::string_view section, std::string_view field) noexcept {
     if (section == "marks") return field == "direction_field" ? Special::direction_field : Special::none;
     return field == "ink"       ? Special::ink
-           : field == "ambient" ? Special::ambient
            : field == "palette" ? Special::palette
            : field == "field"   ? Special::field
                                 : Special::none;
@@ -108,8 +107,6 @@ struct ChangeTarget {
 // Returns the field that stands for the path "style.ink": its value is parsed and checked like the value of
 // silhouette_ink.
 [[nodiscard]] const NamedField& ink_field() noexcept { return *find_field(Record::style, "silhouette_ink"); }
-// Returns the field that stands for the path "style.ambient", whose value is a number, too.
-[[nodiscard]] const NamedField& ambient_field() noexcept { return *find_field(Record::style, "ambient_sky"); }
 
 [[noreturn]] void refuse_kind(const ChangeTarget& target, const char* name, std::string_view path, Pool& pool) {
     const NamedField* const kinds = find_field(target.is_of_style ? Record::layer_style : Record::layer_desc, "kind");
@@ -208,9 +205,7 @@ void check_change(const ChangeTarget& target, const char* name, std::string_view
     if (target.field == nullptr && target.special == Special::none) refuse_field(target, name, path, pool);
     if (target.special == Special::palette) return check_palette(name, value, pool);
     if (target.special == Special::field || target.special == Special::direction_field) return;
-    const NamedField& field = target.special == Special::ink       ? ink_field()
-                              : target.special == Special::ambient ? ambient_field()
-                                                                   : *target.field;
+    const NamedField& field = target.special == Special::ink ? ink_field() : *target.field;
     if (field.meaning == Meaning::text || parse_value(field, value)) return;
     if (is_regularization(target) && same_name(value, "auto")) return;
     if (is_light(target) && are_lights(value, pool)) return;
@@ -329,7 +324,7 @@ bool Changes::is_callers(std::string_view path) const noexcept {
 std::optional<double> Changes::number(std::string_view path) const noexcept {
     const std::optional<std::string_view> text = value(path);
     const ChangeTarget target = find_target(path);
-    const NamedField* const field = target.special == Special::ambient ? &ambient_field() : target.field;
+    const NamedField* const field = target.field;
     if (!text || field == nullptr || field->count != 1 || field->meaning == Meaning::text) return std::nullopt;
     const std::optional<FieldValue> found = parse_value(*field, *text);
     if (!found) return std::nullopt;

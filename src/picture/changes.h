@@ -23,7 +23,6 @@ struct Change {
 
 // A list of changes. Some paths name no field of a struct:
 //   "style.ink"              the colour of all layers, lines and contours; plan.cpp reads it by colour()
-//   "style.ambient"          the share of light from the sky; plan.cpp reads it by number()
 //   "style.palette"          the inks of ink fields; plan.cpp reads them by colours()
 //   "style.field"            uses of fields, such as "tone=quality,direction=flow". The list holds each use as a change
 //                            of its own: "style.layers.tone_field" or "marks.direction_field"

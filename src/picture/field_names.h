@@ -51,7 +51,7 @@ inline constexpr NamedField names_of_hrbfnpr_style[] = {
     FIELD(rim_light, float32, number, 1, 0, 0), FIELD(rim_exponent, float32, number, 1, 0, 0),
     FIELD(tone_black, float32, number, 1, 0, 0), FIELD(tone_white, float32, number, 1, 0, 0),
     FIELD(tone_gamma, float32, number, 1, 0, 0), FIELD(tone_steps, uint32, number, 1, 0, 0),
-    FIELD(curvature_contrast, float32, number, 1, 0, 0)};
+    FIELD(curvature_contrast, float32, number, 1, 0, 0), FIELD(occlusion_lights, float32, number, 1, 0, 0)};
 #undef RECORD
 #define RECORD hrbfnpr_layer_style
 inline constexpr NamedField names_of_hrbfnpr_layer_style[] = {

@@ -3,6 +3,7 @@
 
 #include "base/assert.h"
 #include "picture/settings.h"
+#include "picture/shade.h"
 #include "picture/tuning_ground.h"
 #include "picture/tuning_plan.h"
 
@@ -373,7 +374,7 @@ void find_dark_part(const Call& call, const GroundPlan& plan, Ground& ground) {
     double margin = ground_tuning.margin;
     for (const GroundLamp& lamp : lamps) margin = std::max(margin, lamp.softness);
     const hrbfnpr_style& base = ground.style.base;
-    if (base.occlusion > 0.0F && (base.ambient_sky > 0.0F || base.ambient_ground > 0.0F)) {
+    if (needs_occlusion(base)) {
         auto shading = defaults<hrbfnpr_shading_desc>(hrbfnpr_shading_desc_init);
         call.options.changes.apply("shading", shading);
         margin = std::max(margin, shading.occlusion_reach);

@@ -364,8 +364,11 @@ void make_ground(hrbfnpr_picture& picture, const Call& call) {
 // Lets the light of the sky come from above, unless the caller or the settings say from where.
 void set_sky(hrbfnpr_picture& picture) {
     const Options& options = picture.options;
-    const bool is_asked = options.changes.has("style.ambient") && !options.changes.has("style.ambient_up");
-    if (!is_asked || options.style || options.takes_style_of_settings) return;
+    const hrbfnpr_style& style = picture.style->base;
+    const bool has_ambient_light = style.ambient_sky > 0.0F || style.ambient_ground > 0.0F;
+    if (!has_ambient_light || options.changes.has("style.ambient_up") || options.style ||
+        options.takes_style_of_settings)
+        return;
     const glm::dvec3 up = glm::normalize(picture.surfaces().up);
     std::copy(&up.x, &up.x + 3, picture.style->base.ambient_up);
 }

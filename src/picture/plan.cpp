@@ -134,19 +134,6 @@ void change_all_layers(const Call& call, Style& style) {
     }
 }
 
-// Applies "style.ambient": lets a share of the light come from the sky and the ground, which hollows see less of, and
-// takes light away from the other lights.
-void set_ambient(const Call& call, double share, Style& style) {
-    if (!(share >= 0.0 && share <= 1.0)) call.report.refuse("{occlusion} must be a number from 0 to 1");
-    hrbfnpr_style& base = style.base;
-    base.ambient_sky = static_cast<float>(plan_tuning.ambient_sky * share);
-    base.ambient_ground = static_cast<float>(plan_tuning.ambient_ground * share);
-    const auto rest = static_cast<float>(1.0 - plan_tuning.ambient_from_lights * share);
-    base.light_intensity *= rest;
-    base.fill_light *= static_cast<float>(1.0 - share);
-    for (hrbfnpr_light& light : style.lights) light.intensity *= rest;
-}
-
 // Applies "style.light", which replaces all lights. What it does not say comes from the style's single light.
 void set_lights(const Call& call, Style& style) {
     const std::optional<std::string_view> text = call.options.changes.value("style.light");
@@ -169,7 +156,6 @@ void set_lights(const Call& call, Style& style) {
 // it, and sets the ink of contours and lines.
 void change_style(const Call& call, Style& style) {
     const Changes& changes = call.options.changes;
-    if (const std::optional<double> share = changes.number("style.ambient")) set_ambient(call, *share, style);
     changes.apply("style", style.base);
     set_lights(call, style);
     float contours[4];

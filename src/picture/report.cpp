@@ -38,7 +38,7 @@ constexpr std::array<OptionName, 21> option_names{
     OptionName{"light", "style.light"},
     OptionName{"mark_radius", "pen"},
     OptionName{"max_centres", "maximum_centres"},
-    OptionName{"occlusion", "style.ambient"},
+    OptionName{"occlusion", "style.occlusion_lights"},
     OptionName{"outliers", "fit.outliers"},
     OptionName{"page", "paper"},
     OptionName{"page_margin", "paper_margin"},

@@ -3,6 +3,7 @@
 
 #include "picture/make.h"
 #include "picture/report.h"
+#include "picture/tuning_plan.h"
 
 #include <algorithm>
 
@@ -18,10 +19,6 @@ bool any_light(const Style& style, Visit&& visit) noexcept {
                        [&](const hrbfnpr_light& light) { return visit(light.shadow, light.space); });
 }
 
-[[nodiscard]] bool needs_occlusion(const hrbfnpr_style& style) noexcept {
-    return style.occlusion > 0.0F && (style.ambient_sky > 0.0F || style.ambient_ground > 0.0F);
-}
-
 bool is_shadow_line(const hrbfnpr_line_style& line) noexcept {
     return line.kind == HRBFNPR_LINE_KIND_SHADOW || line.kind == HRBFNPR_LINE_KIND_TERMINATOR;
 }
@@ -32,6 +29,11 @@ bool draws_shadow_lines(const hrbfnpr_item& item) noexcept {
 }
 
 } // namespace
+
+bool needs_occlusion(const hrbfnpr_style& style) noexcept {
+    const bool has_ambient_light = style.ambient_sky > 0.0F || style.ambient_ground > 0.0F;
+    return style.occlusion_lights > 0.0F || (style.occlusion > 0.0F && has_ambient_light);
+}
 
 bool needs_shading(const Style& style) noexcept {
     const hrbfnpr_style& base = style.base;
@@ -61,6 +63,7 @@ Vector<Shading> make_shadings(const Call& call, const Occluders& occluders, std:
     Stage stage(call.report, HRBFNPR_STAGE_SHADE);
     for (std::size_t i = 0; i < items.size(); ++i) {
         auto desc = defaults<hrbfnpr_shading_desc>(hrbfnpr_shading_desc_init);
+        desc.sky_rays = plan_tuning.sky_rays;
         if (!needs_occlusion(*items[i].style)) desc.occlusion_reach = 0.0;
         if (items[i].line_set == nullptr) desc.curvature_scale = 0.0;
         call.options.changes.apply("shading", desc);

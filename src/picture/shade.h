@@ -11,6 +11,8 @@
 
 namespace hrbfnpr::picture {
 
+// Tells whether a style is darker where less of the sky is seen.
+[[nodiscard]] bool needs_occlusion(const hrbfnpr_style& style) noexcept;
 // Tells whether a style needs occlusion, cast shadows, or the borders of shadows.
 [[nodiscard]] bool needs_shading(const Style& style) noexcept;
 

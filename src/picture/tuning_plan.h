@@ -34,11 +34,8 @@ struct PlanTuning {
     // The number of marks in a layer that a style does not show because it draws only lines. Larger: the end of the
     // surface is known better, in more time.
     std::int64_t unseen_marks = 4000;
-    // The light from the sky and from the ground if all light is ambient ("style.ambient" 1), and the share that other
-    // lights then lose. Larger: paler pictures whose hollows are darker beside the rest; the last one: darker shades.
-    double ambient_sky = 0.42;
-    double ambient_ground = 0.14;
-    double ambient_from_lights = 0.2;
+    // The number of rays by which a mark sees the sky. Larger: less noise in hollows, in more time.
+    std::int32_t sky_rays = 32;
     // The intensity of the second and further lights of "style.light", if it is not given. Larger: flatter forms.
     float second_light = 0.5F;
 };

@@ -22,7 +22,8 @@ constexpr std::string_view style_order =
     "splat_radius halo_width splat_overlap tone_rule tone_curve tone_fade light_space tone_exponent fill_light "
     "depth_min depth_max zoom_reference zoom_exponent paper silhouette_ink silhouette_radius silhouette_radius_zoom "
     "light light_intensity light_shadow light_softness ambient_up ambient_sky ambient_ground occlusion "
-    "occlusion_exponent rim_light rim_exponent tone_black tone_white tone_gamma tone_steps curvature_contrast tone";
+    "occlusion_exponent occlusion_lights rim_light rim_exponent tone_black tone_white tone_gamma tone_steps "
+    "curvature_contrast tone";
 constexpr std::string_view layer_order =
     "name density_strength separation step start start_level angle smoothing axis_weight guide "
     "guide_weight axis guide_direction density levels tone_smoothing";

@@ -171,7 +171,7 @@ save lit.png
 change style.light_shadow 1
 wait
 save shadowed.png
-change style.ambient 1
+change style.occlusion_lights 1
 wait
 save shaded.json
 shot shaded.png
@@ -254,7 +254,7 @@ def check_paint(view, printed):
     check("undoing it did not bring the picture back", undone == turned)
     lit, shadowed, style = view.pixels("lit.png"), view.pixels("shadowed.png"), json.loads(view.text("shaded.json"))["style"]
     check(f"cast shadows changed {ink_of(lit)} to {ink_of(shadowed)}", ink_of(shadowed) > 1.02 * ink_of(lit))
-    check(f"the settings have no shadow, but {style}", style["light_shadow"] == 1 and style["ambient_sky"] > 0)
+    check(f"the settings have no shadow, but {style}", style["light_shadow"] == 1 and style["occlusion_lights"] == 1)
     dabs = json.loads(view.text("painted.json"))["paint"]
     check(f"{len(dabs)} dabs of a stroke", len(dabs) > 4 and f"dabs: {len(dabs)}" in printed)
 

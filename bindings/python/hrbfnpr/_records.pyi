@@ -1320,6 +1320,7 @@ class StyleFields(Attributes):
     tone_gamma: Field[float, float]
     tone_steps: Field[int, int]
     curvature_contrast: Field[float, float]
+    occlusion_lights: Field[float, float]
 
 class LightFields(Attributes):
     kind: Field[str, str]

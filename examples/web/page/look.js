@@ -11,7 +11,7 @@ const straight = (colour, alpha) =>
 /** Returns the options of a picture. The library chooses all options that are not set here. */
 export function optionsOf({ preset, marks, angle, occlusion, shadow }, { width, height }) {
   const set = { ...(marks > 0 ? { "marks.layers.budget": marks } : {}),
-                ...(occlusion > 0 ? { "style.ambient": occlusion } : {}),
+                ...(occlusion > 0 ? { "style.occlusion_lights": occlusion } : {}),
                 ...(shadow > 0 ? { "style.light_shadow": shadow } : {}) };
   return { style: preset, width, height, hatchAngle: angle, allowBlank: true,
            ...(Object.keys(set).length > 0 ? { set } : {}) };

@@ -69,8 +69,13 @@ void add_lamp(const LightStyle& light, LightSpace to, const LitSpace& space, con
     return std::min(std::floor(tau * static_cast<float>(s.steps)), last) * (1.0F / last);
 }
 
-[[nodiscard]] float left_of_sky(const Lighting& s, const SeenShares& seen) noexcept {
-    return 1.0F - s.occlusion * (1.0F - power(seen.open, s.occlusion_exponent));
+// What is left of ambient light and of the light of lamps past occlusion.
+struct LeftOfLight {
+    float ambient, lamps;
+};
+[[nodiscard]] LeftOfLight left_by_occlusion(const Lighting& s, const SeenShares& seen) noexcept {
+    const float hidden = 1.0F - power(seen.open, s.occlusion_exponent);
+    return {1.0F - s.occlusion * hidden, 1.0F - s.occlusion_lights * hidden};
 }
 [[nodiscard]] float left_of_lamp(const Lamp& lamp, const SeenShares& seen, std::int32_t number) noexcept {
     return 1.0F - lamp.shadow * (1.0F - seen.visible[static_cast<std::size_t>(number)]);
@@ -116,6 +121,7 @@ Lighting lighting_of(const Style& style, const LitSpace& space) {
     for (int k = 0; k < 3; ++k) lighting.up[k] = static_cast<float>(up[k]);
     lighting.curvature_contrast = style.curvature_contrast;
     lighting.occlusion = style.occlusion;
+    lighting.occlusion_lights = style.occlusion_lights;
     lighting.occlusion_exponent = style.occlusion_exponent;
     lighting.rim = style.rim_light;
     lighting.rim_exponent = style.rim_exponent;
@@ -167,7 +173,7 @@ float light_at(const Lighting& lighting, const glm::vec3& place, const glm::vec3
     }
     float sum = lighting.ambient;
     sum += lighting.from_sky * glm::dot(glm::vec3(lighting.up[0], lighting.up[1], lighting.up[2]), n);
-    sum *= left_of_sky(lighting, seen);
+    float lamps = 0.0F;
     for (std::int32_t i = 0; i < lighting.count; ++i) {
         const Lamp& lamp = lighting.lamps[i];
         glm::vec3 towards = place_of(lamp);
@@ -177,9 +183,12 @@ float light_at(const Lighting& lighting, const glm::vec3& place, const glm::vec3
         }
         const float cosine = glm::dot(towards, n);
         const float away = std::clamp(-cosine, 0.0F, 1.0F);
-        sum += left_of_lamp(lamp, seen, i) * lamp.intensity * power(std::clamp(cosine, 0.0F, 1.0F), lighting.exponent);
-        sum += lamp.fill * away * away;
+        lamps +=
+            left_of_lamp(lamp, seen, i) * lamp.intensity * power(std::clamp(cosine, 0.0F, 1.0F), lighting.exponent);
+        lamps += lamp.fill * away * away;
     }
+    const LeftOfLight left = left_by_occlusion(lighting, seen);
+    sum = left.ambient * sum + left.lamps * lamps;
     if (lighting.rim > 0.0F)
         sum += lighting.rim * power(std::clamp(1.0F - std::abs(nu), 0.0F, 1.0F), lighting.rim_exponent);
     sum += lighting.curvature_contrast * seen.bend;
@@ -200,14 +209,15 @@ float facing(const Lighting& lighting, const glm::vec3& place, const glm::vec3& 
 
 float least_light(const Lighting& own, const LitBounds& bounds, const SeenShares& seen) noexcept {
     const float by_bend = own.curvature_contrast * seen.bend;
-    if (!own.rigid) return tone_of(own, left_of_sky(own, seen) * (own.ambient - std::abs(own.from_sky)) + by_bend);
+    const LeftOfLight left = left_by_occlusion(own, seen);
+    if (!own.rigid) return tone_of(own, left.ambient * (own.ambient - std::abs(own.from_sky)) + by_bend);
     const Angle cone{bounds.cosine, bounds.sine};
     const Range up = cosines(glm::dot(bounds.axis, glm::vec3(own.up[0], own.up[1], own.up[2])), cone);
     float sum = own.ambient + (own.from_sky > 0.0F ? own.from_sky * up.least : own.from_sky * up.most);
-    sum = sum * left_of_sky(own, seen) + by_bend;
+    sum = sum * left.ambient + by_bend;
     // The fill light and the rim light are left out, because the terminator may be in between.
     for (std::int32_t i = 0; i < own.count; ++i)
-        sum += left_of_lamp(own.lamps[i], seen, i) * own.lamps[i].intensity *
+        sum += left.lamps * left_of_lamp(own.lamps[i], seen, i) * own.lamps[i].intensity *
                power(std::max(least_facing(own.lamps[i], bounds), 0.0F), own.exponent);
     return tone_of(own, sum);
 }

@@ -108,18 +108,23 @@ HWY_INLINE W lit(const Lighting& s, const LitVector& v, W nu, const LightShares&
     if (s.from_sky != 0.0F)
         sum =
             hn::Add(sum, hn::Mul(hn::Set(d, s.from_sky), v.of_unit(dot3(s.up, v.normal[0], v.normal[1], v.normal[2]))));
-    if (shares.open != nullptr)
-        sum = left_of(sum, power(hn::LoadU(d, shares.open + at), s.occlusion_exponent), s.occlusion);
+    W lamps = hn::Zero(d);
     for (std::int32_t i = 0; i < s.count; ++i) {
         const Lamp& lamp = s.lamps[i];
         const W cosine = v.of_unit(facing(lamp, v.at, v.normal));
         W light = hn::Mul(hn::Set(d, lamp.intensity), power(clamped(cosine), s.exponent));
         if (shares.visible[i] != nullptr) light = left_of(light, hn::LoadU(d, shares.visible[i] + at), lamp.shadow);
-        sum = hn::Add(sum, light);
+        lamps = hn::Add(lamps, light);
         if (lamp.fill == 0.0F) continue;
         const W away = clamped(hn::Neg(cosine));
-        sum = hn::Add(sum, hn::Mul(hn::Mul(hn::Set(d, lamp.fill), away), away));
+        lamps = hn::Add(lamps, hn::Mul(hn::Mul(hn::Set(d, lamp.fill), away), away));
     }
+    if (shares.open != nullptr) {
+        const W open = power(hn::LoadU(d, shares.open + at), s.occlusion_exponent);
+        sum = left_of(sum, open, s.occlusion);
+        lamps = left_of(lamps, open, s.occlusion_lights);
+    }
+    sum = hn::Add(sum, lamps);
     if (s.rim > 0.0F) {
         const W side = clamped(hn::Sub(hn::Set(d, 1.0F), hn::Abs(nu)));
         sum = hn::Add(sum, hn::Mul(hn::Set(d, s.rim), power(side, s.rim_exponent)));

@@ -30,6 +30,7 @@ struct Lighting {
     float from_sky;           // half the difference between them
     float up[3];              // a unit vector towards the sky
     float occlusion;          // the share of the ambient light that is lost where no sky is seen
+    float occlusion_lights;   // the same of the light of lamps
     float occlusion_exponent; // the exponent of the share of the sky that is seen
     float rim, rim_exponent;
     float curvature_contrast; // the light that a ridge adds and a hollow takes away

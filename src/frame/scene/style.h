@@ -140,6 +140,7 @@ struct Style {
     glm::dvec3 ambient_up{0.0, 1.0, 0.0};
     float occlusion = 1.0F;
     float occlusion_exponent = 1.5F;
+    float occlusion_lights = 0.0F;
     float rim_light = 0.0F;
     float rim_exponent = 3.0F;
     float tone_black = 0.0F;

@@ -155,7 +155,7 @@ namespace HrbfNpr
         internal float tone_gamma;
         internal uint tone_steps;
         internal float curvature_contrast;
-        internal uint reserved4;
+        internal float occlusion_lights;
         internal IntPtr palette;
         internal long palette_count;
     }

@@ -1466,6 +1466,11 @@ export interface Style {
    */
   curvatureContrast?: number;
   /**
+   * share of the light of all lights and of the fill light that is lost where no sky is seen, 0 .. 1; default 0.
+   * Hollows get darker, and the rest stays as it is. It has an effect on items with a shading
+   */
+  occlusionLights?: number;
+  /**
    * inks for ink_field, palette_count x 4, straight RGBA in [0, 1], sRGB-encoded; default NULL. It is read during
    * _draw only
    */

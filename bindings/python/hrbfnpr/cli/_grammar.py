@@ -82,8 +82,8 @@ def _add_option(group: Any, row: Option) -> None:
         shown = [choice.replace("_", "-") for choice in row.choices]
         words = f"{words}; one of {', '.join(shown)}"
         group.add_argument(name, dest=dest, default=None, choices=shown, metavar=row.metavar, help=words)
-    if found["light"]:
-        found["light"] = ";".join(found["light"])
+    elif row.kind == "lights":
+        group.add_argument(name, dest=dest, action="append", default=[], type=values.light, metavar=row.metavar, help=words)
     elif row.kind in ("assignment", "fields"):  # may be given more than once
         parse = values.parser_of(row.kind)
         group.add_argument(name, dest=dest, action="append", default=[], type=parse, metavar=row.metavar, help=words)

@@ -854,7 +854,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_style, tone_gamma) == either(344, 336, 324));
     assert!(offset_of!(hrbfnpr_style, tone_steps) == either(348, 340, 328));
     assert!(offset_of!(hrbfnpr_style, curvature_contrast) == either(352, 344, 332));
-    assert!(offset_of!(hrbfnpr_style, reserved4) == either(356, 348, 336));
+    assert!(offset_of!(hrbfnpr_style, occlusion_lights) == either(356, 348, 336));
     assert!(offset_of!(hrbfnpr_style, palette) == either(360, 352, 340));
     assert!(offset_of!(hrbfnpr_style, palette_count) == either(368, 360, 344));
 };

@@ -3470,7 +3470,10 @@ pub struct hrbfnpr_style {
     /// 16; default 0. It has an effect on items whose shading was made with it
     /// (hrbfnpr_shading_desc.curvature_scale)
     pub curvature_contrast: f32,
-    pub reserved4: u32,
+    /// share of the light of all lights and of the fill light that is lost where no sky is seen,
+    /// 0 .. 1; default 0. Hollows get darker, and the rest stays as it is. It has an effect on
+    /// items with a shading
+    pub occlusion_lights: f32,
     /// inks for ink_field, palette_count x 4, straight RGBA in [0, 1], sRGB-encoded; default
     /// NULL. It is read during _draw only
     pub palette: *const f32,
