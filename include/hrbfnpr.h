@@ -2396,9 +2396,9 @@ typedef struct hrbfnpr_style {
     uint32_t tone_steps;         /* number of flat tones, from black to white, 2 .. 6; default 0 = continuous tones.  The
                                     steps of t have the same size */
     float curvature_contrast;    /* light that ridges and hills add, and that hollows take away: it is multiplied by a
-                                    number from -1 to 1, tanh(3 H scale) of the mean curvature H, which is above 0 on a
-                                    ball; 0 .. 16; default 0.  It has an effect on items whose shading was made with it
-                                    (hrbfnpr_shading_desc.curvature_scale) */
+                                    number from -1 to 1, tanh(3 H scale) less its mean over the surface, where H is the
+                                    mean curvature; 0 .. 16; default 0.  It has an effect on items whose shading was
+                                    made with it (hrbfnpr_shading_desc.curvature_scale) */
     float occlusion_lights;      /* share of the light of all lights and of the fill light that is lost where no sky is
                                     seen, 0 .. 1; default 0.  Hollows get darker, and the rest stays as it is.  It has
                                     an effect on items with a shading */

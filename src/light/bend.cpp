@@ -4,17 +4,17 @@
 // below the tangent plane, divided by the mean square of the distance.
 //
 // 1. patches_of: triangles → patches of the triangles in each cell of a grid
-// 2. bend_at: a place → the means over the patches around it
+// 2. curvature_at: a place → the means over the patches around it
 #include "base/assert.h"
 #include "base/sort_on_threads.h"
 #include "geometry/cell_grid.h"
-#include "geometry/point_grid.h"
 #include "light/light.h"
 #include "light/sides.h"
 #include "light/tuning.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hrbfnpr::light {
 namespace {
@@ -23,14 +23,6 @@ using geometry::CellGrid;
 using geometry::VecArray;
 
 constexpr std::int64_t bends_a_task = 1024;
-
-// Sums over some triangles of a mesh.
-struct Patch {
-    double area = 0.0;
-    double squares = 0.0;   // the sum of the squared distances from `mean`
-    glm::dvec3 mean{0.0};   // the centre of the area
-    glm::dvec3 normal{0.0}; // the unit mean of the normals
-};
 
 struct KeyedTriangle {
     std::uint64_t cell;
@@ -81,56 +73,78 @@ struct MeshTriangle {
     return keyed;
 }
 
-// Returns the patch of the triangles [begin, end) of the order.
-[[nodiscard]] Patch patch_of(const SurfaceTriangles& mesh, const base::Array<KeyedTriangle>& keyed, std::int64_t begin,
-                             std::int64_t end) noexcept {
-    Patch patch;
-    for (std::int64_t i = begin; i < end; ++i) {
-        const MeshTriangle triangle = triangle_of(mesh, keyed[i].triangle);
-        const double area = glm::length(triangle.area());
-        patch.area += area;
-        patch.mean += area * triangle.centre();
-        patch.normal += triangle.area();
-    }
-    if (!(patch.area > 0.0) || !(glm::length(patch.normal) > 0.0)) return {};
-    patch.mean /= patch.area;
-    patch.normal = glm::normalize(patch.normal);
-    for (std::int64_t i = begin; i < end; ++i) {
-        const MeshTriangle triangle = triangle_of(mesh, keyed[i].triangle);
-        patch.squares += glm::length(triangle.area()) * triangle.mean_square(patch.mean);
-    }
-    return patch;
-}
+} // namespace
 
-[[nodiscard]] base::Array<Patch> patches_of(const base::Work& work, const SurfaceTriangles& mesh, double side) {
-    const base::Array<KeyedTriangle> keyed = sort_triangles(work, mesh, side);
-    base::Array<Patch> patches(work.memory);
-    std::int64_t begin = 0;
-    for (const std::int64_t i : work.over(keyed.size())) {
-        if (i + 1 < keyed.size() && keyed[i + 1].shares_patch_with(keyed[i])) continue;
-        const Patch patch = patch_of(mesh, keyed, begin, i + 1);
-        if (patch.area > 0.0) patches.push_back(patch);
-        begin = i + 1;
+struct SurfaceBend::Patches {
+    // Returns the patch of the triangles [begin, end) of the order.
+    [[nodiscard]] static Patch sum(const SurfaceTriangles& mesh, const base::Array<KeyedTriangle>& keyed,
+                                   std::int64_t begin, std::int64_t end) noexcept {
+        Patch patch;
+        for (std::int64_t i = begin; i < end; ++i) {
+            const MeshTriangle triangle = triangle_of(mesh, keyed[i].triangle);
+            const double area = glm::length(triangle.area());
+            patch.area += area;
+            patch.mean += area * triangle.centre();
+            patch.normal += triangle.area();
+        }
+        if (!(patch.area > 0.0) || !(glm::length(patch.normal) > 0.0)) return {};
+        patch.mean /= patch.area;
+        patch.normal = glm::normalize(patch.normal);
+        for (std::int64_t i = begin; i < end; ++i) {
+            const MeshTriangle triangle = triangle_of(mesh, keyed[i].triangle);
+            patch.squares += glm::length(triangle.area()) * triangle.mean_square(patch.mean);
+        }
+        return patch;
     }
-    return patches;
-}
-
-struct PatchesAround {
-    const base::Array<Patch>& patch; // in the order of the grid
-    const geometry::PointGrid& grid;
-    double reach;
+    // Returns the patches of the triangles in cells with this side.
+    [[nodiscard]] static base::Array<Patch> of(const base::Work& work, const SurfaceTriangles& mesh, double side) {
+        const base::Array<KeyedTriangle> keyed = sort_triangles(work, mesh, side);
+        base::Array<Patch> patches(work.memory);
+        std::int64_t begin = 0;
+        for (const std::int64_t i : work.over(keyed.size())) {
+            if (i + 1 < keyed.size() && keyed[i + 1].shares_patch_with(keyed[i])) continue;
+            const Patch patch = sum(mesh, keyed, begin, i + 1);
+            if (patch.area > 0.0) patches.push_back(patch);
+            begin = i + 1;
+        }
+        return patches;
+    }
+    [[nodiscard]] static VecArray means(const base::Work& work, const base::Array<Patch>& patches) {
+        VecArray mean(work.memory);
+        for (const Patch& patch : patches) mean.push_back(patch.mean);
+        return mean;
+    }
 };
 
-// Returns the mean curvature at a place.
-[[nodiscard]] double bend_at(const PatchesAround& around, const glm::dvec3& place, const glm::dvec3& normal) {
+SurfaceBend::SurfaceBend(const base::Work& work, const SurfaceTriangles& mesh, double scale)
+    // The weights fall to 0 at the reach, so that the root of the mean square of the distances is half of it.
+    : scale_(scale), reach_(std::max(2.0 * scale, light_tuning.least_reach * mesh.side)),
+      patch_(Patches::of(work, mesh, light_tuning.patch * 0.5 * reach_)),
+      grid_(Patches::means(work, patch_), 0.5 * reach_,
+            work) { // The boxes of queries have the other half of the reach.
+    HRBFNPR_ASSERT(scale > 0.0);
+    base::Array<Patch> in_grid(work.memory);
+    for (std::int64_t at = 0; at < patch_.size(); ++at) in_grid.push_back(patch_[grid_.index(at)]);
+    patch_ = std::move(in_grid);
+    base::Array<double> bounded(work.memory, patch_.size());
+    work.for_chunks(patch_.size(), bends_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i)
+            bounded[i] = patch_[i].area * bounded_at(patch_[i].mean, patch_[i].normal);
+    });
+    double area = 0.0;
+    for (const Patch& patch : patch_) area += patch.area;
+    for (const double part : bounded) mean_ += part / area;
+}
+
+double SurfaceBend::curvature_at(const glm::dvec3& place, const glm::dvec3& normal) const {
     double depth = 0.0;
     double squares = 0.0;
-    const double half = 0.5 * around.reach;
-    around.grid.around({place - half, place + half}, [&](std::int64_t at) {
-        const Patch& patch = around.patch[at];
+    const double half = 0.5 * reach_;
+    grid_.around({place - half, place + half}, [&](std::int64_t at) {
+        const Patch& patch = patch_[at];
         const glm::dvec3 off = patch.mean - place;
         const double square = glm::dot(off, off);
-        const double near = 1.0 - square / (around.reach * around.reach);
+        const double near = 1.0 - square / (reach_ * reach_);
         if (!(near > 0.0)) return;
         // The other side of a thin wall does not count.
         const double faces = std::clamp(1.0 + 2.0 * glm::dot(patch.normal, normal), 0.0, 1.0);
@@ -141,25 +155,27 @@ struct PatchesAround {
     return squares > 0.0 ? 2.0 * depth / squares : 0.0;
 }
 
-} // namespace
+double SurfaceBend::bounded_at(const glm::dvec3& place, const glm::dvec3& normal) const {
+    return std::tanh(light_tuning.bend_gain * scale_ * curvature_at(place, normal));
+}
 
-base::Array<float> find_bend(const base::Work& work, const SurfaceTriangles& mesh, const Places& places, double scale) {
-    HRBFNPR_ASSERT(places.position.size() == places.normal.size() && scale > 0.0);
-    // The weights fall to 0 at the reach, so that the root of the mean square of the distances is half of it.
-    const double reach = std::max(2.0 * scale, light_tuning.least_reach * mesh.side);
-    const base::Array<Patch> patches = patches_of(work.part(0.0, 0.3), mesh, light_tuning.patch * 0.5 * reach);
-    VecArray position(work.memory);
-    for (const Patch& patch : patches) position.push_back(patch.mean);
-    const geometry::PointGrid grid(position, 0.5 * reach, work); // Boxes of queries have the other half of the reach.
-    base::Array<Patch> in_grid(work.memory);
-    for (std::int64_t at = 0; at < patches.size(); ++at) in_grid.push_back(patches[grid.index(at)]);
-    base::Array<float> bend(work.memory, places.position.size());
-    const PatchesAround around{in_grid, grid, reach};
-    work.part(0.3, 1.0).for_chunks(bend.size(), bends_a_task, [&](std::int64_t begin, std::int64_t end) {
+base::Array<float> SurfaceBend::curvature(const base::Work& work, const Places& places) const {
+    base::Array<float> found(work.memory, places.position.size());
+    work.for_chunks(found.size(), bends_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
-            bend[i] = static_cast<float>(scale * bend_at(around, places.position[i], places.normal[i]));
+            found[i] = static_cast<float>(scale_ * curvature_at(places.position[i], places.normal[i]));
     });
-    return bend;
+    return found;
+}
+
+base::Array<float> SurfaceBend::contrast(const base::Work& work, const Places& places) const {
+    base::Array<float> found(work.memory, places.position.size());
+    work.for_chunks(found.size(), bends_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i)
+            found[i] =
+                static_cast<float>(std::clamp(bounded_at(places.position[i], places.normal[i]) - mean_, -1.0, 1.0));
+    });
+    return found;
 }
 
 } // namespace hrbfnpr::light

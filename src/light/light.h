@@ -3,12 +3,13 @@
 //
 //   find_openness   places → how much of the sky each sees                      [Zhukov, Iones, Kronin 1998]
 //   find_visible    places, a lamp → how much of the lamp each sees
-//   find_bend       places, their surface's mesh → the mean curvature around each
+//   SurfaceBend     places, their surface's mesh → the mean curvature around each
 #pragma once
 
 #include "base/memory.h"
 #include "base/work.h"
 #include "geometry/bvh.h"
+#include "geometry/point_grid.h"
 #include "geometry/vec_array.h"
 
 #include <cstdint>
@@ -53,10 +54,37 @@ struct SurfaceTriangles {
     double side;                             // the longest side of a cell
 };
 
-// Returns the mean curvature of the surface around each place times the scale: positive on ridges and hills, negative
-// in hollows. The means are taken over distances of about `scale`, which is at least about a side of a cell.
-// The result is the same for any number of threads.
-[[nodiscard]] base::Array<float> find_bend(const base::Work& work, const SurfaceTriangles& mesh, const Places& places,
-                                           double scale);
+// How a surface bends, as means over distances of about a scale.
+class SurfaceBend {
+public:
+    // The scale is at least about a side of a cell.
+    SurfaceBend(const base::Work& work, const SurfaceTriangles& mesh, double scale);
+
+    // Returns the mean curvature around each place times the scale: positive on ridges and hills, negative in hollows.
+    // The result of both functions is the same for any number of threads.
+    [[nodiscard]] base::Array<float> curvature(const base::Work& work, const Places& places) const;
+    // Returns how much more the surface bends outward around each place than it does on average, from -1 in hollows to
+    // 1 on ridges.
+    [[nodiscard]] base::Array<float> contrast(const base::Work& work, const Places& places) const;
+
+private:
+    // Sums over some triangles of the mesh.
+    struct Patch {
+        double area = 0.0;
+        double squares = 0.0;   // the sum of the squared distances from `mean`
+        glm::dvec3 mean{0.0};   // the centre of the area
+        glm::dvec3 normal{0.0}; // the unit mean of the normals
+    };
+    struct Patches;
+
+    [[nodiscard]] double curvature_at(const glm::dvec3& place, const glm::dvec3& normal) const;
+    [[nodiscard]] double bounded_at(const glm::dvec3& place, const glm::dvec3& normal) const;
+
+    double scale_;
+    double reach_;
+    base::Array<Patch> patch_;
+    geometry::PointGrid grid_; // holds the patches, which are in its order
+    double mean_ = 0.0;        // the mean of bounded_at() over the surface
+};
 
 } // namespace hrbfnpr::light

@@ -30,6 +30,9 @@ struct LightTuning {
     double patch = 0.6;
     // The mean of curvature reaches at least this many sides of the mesh's cells. Larger: less noise, but more blur.
     double least_reach = 3.0;
+    // The contrast of curvature is the hyperbolic tangent of this number times the mean curvature times its scale.
+    // Larger: gentle ridges and hollows count more, but sharp ones look alike.
+    double bend_gain = 3.0;
 };
 inline constexpr LightTuning light_tuning;
 

@@ -132,7 +132,10 @@ std::size_t expect_same(const Bundle& bundle, const Hits& hits, const Hits& want
 
 TEST(MeshRays, HaveTheHitsOfTheSearch) {
     const Context context = make_context();
-    for (const Model& model : {fit(context, hrbfnpr::test::bumpy(1200)), fit(context, scenes::torus(1500))}) {
+    Sphere sphere;
+    const Model models[3] = {fit(context, hrbfnpr::test::bumpy(1200)), fit(context, scenes::torus(1500)),
+                             custom_sphere(context, sphere)};
+    for (const Model& model : models) {
         const LineSet lines = lined(context, model);
         const Bundle bundle = random_rays(1);
         const Hits wanted = cast(model, bundle, at_most(room));

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <functional>
+#include <vector>
 
 namespace hrbfnpr::light::bend_test {
 namespace {
@@ -45,7 +46,8 @@ struct ChartMesh {
                 normal.push_back(point.normal);
                 wanted.push_back(scale * curvature(u, v));
             }
-        const base::Array<float> bend = find_bend(base::Work(runtime), mesh, {place, normal, 0.0}, scale);
+        const base::Array<float> bend =
+            SurfaceBend(base::Work(runtime), mesh, scale).curvature(base::Work(runtime), {place, normal, 0.0});
         for (std::size_t i = 0; i < wanted.size(); ++i)
             EXPECT_NEAR(bend[static_cast<std::int64_t>(i)], wanted[i], off) << i;
     }
@@ -113,6 +115,40 @@ TEST(Bend, OfAReliefIsThatOfTheFormula) {
         0.02, 0.002);
 }
 
+// Contrast is the hyperbolic tangent of three times the curvature, less its mean, whose weight is the area.
+TEST(Bend, ContrastHasTheMeanZero) {
+    constexpr double height = 0.05, wave = 8.0, scale = 0.02;
+    ChartMesh relief(
+        [](double u, double v) {
+            const double slope = height * wave * std::cos(wave * u);
+            return Point{{u, v, height * std::sin(wave * u) - 0.2 * u * u},
+                         glm::normalize(glm::dvec3(0.4 * u - slope, 0.0, 1.0))};
+        },
+        250, 0.006);
+    const base::Work work(relief.runtime);
+    VecArray place(work.memory), normal(work.memory);
+    std::vector<double> area;
+    for (double u = 0.001; u < 1.0; u += 0.004)
+        for (double v = 0.05; v < 1.0; v += 0.1) {
+            const Point point = relief.chart(u, v);
+            place.push_back(point.place);
+            normal.push_back(point.normal);
+            area.push_back(1.0 / point.normal.z);
+        }
+    const SurfaceBend bend(work, relief.mesh, scale);
+    const base::Array<float> curvature = bend.curvature(work, {place, normal, 0.0});
+    const base::Array<float> contrast = bend.contrast(work, {place, normal, 0.0});
+    double sum = 0.0, whole = 0.0;
+    const double off = std::tanh(3.0 * double{curvature[0]}) - double{contrast[0]};
+    EXPECT_GT(off, 0.01);
+    for (std::int64_t i = 0; i < contrast.size(); ++i) {
+        EXPECT_NEAR(std::tanh(3.0 * double{curvature[i]}) - double{contrast[i]}, off, 1e-5);
+        sum += area[static_cast<std::size_t>(i)] * double{contrast[i]};
+        whole += area[static_cast<std::size_t>(i)];
+    }
+    EXPECT_NEAR(sum / whole, 0.0, 0.004);
+}
+
 TEST(Bend, OfAThinPlateIsZeroOnBothSides) {
     ChartMesh plate([](double u, double v) { return Point{{u, v, 0.0}, {0.0, 0.0, 1.0}}; }, 100, 0.01);
     const auto first = static_cast<std::int32_t>(plate.position.size());
@@ -129,9 +165,9 @@ TEST(Bend, KeepsItsBits) {
     VecArray place(torus.runtime.memory);
     for (std::int64_t i = 0; i < torus.position.size(); ++i) place.push_back(torus.position[i]);
     const Places places{place, place, 0.0};
-    const base::Array<float> both = find_bend(base::Work(two), torus.mesh, places, 0.05);
+    const base::Array<float> both = SurfaceBend(base::Work(two), torus.mesh, 0.05).contrast(base::Work(two), places);
     const base::Runtime one = test::with_threads(1);
-    const base::Array<float> alone = find_bend(base::Work(one), torus.mesh, places, 0.05);
+    const base::Array<float> alone = SurfaceBend(base::Work(one), torus.mesh, 0.05).contrast(base::Work(one), places);
     for (std::int64_t i = 0; i < place.size(); ++i) EXPECT_EQ(both[i], alone[i]);
 }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace hrbfnpr::frame {
 namespace {
@@ -77,33 +78,26 @@ void find_least(const Shading& shading, std::int64_t number, const marks::Layer&
     }
 }
 
-// Returns how the surface bends at each mark: -1 in hollows, 1 on ridges.
-[[nodiscard]] base::Array<float> find_bends(const base::Work& work, const ShadedItem& item, const marks::Layer& layer,
-                                            double scale) {
+// Returns how the surface bends, or nothing if curvature is not wanted.
+[[nodiscard]] std::unique_ptr<light::SurfaceBend> bend_of(const base::Work& work, const ShadedItem& item,
+                                                          const ShadingSettings& settings) {
+    if (item.mesh == nullptr || !(settings.curvature_scale > 0.0)) return nullptr;
     const curves::SurfaceMesh& mesh = *item.mesh;
     geometry::Bounds bounds;
     for (std::int64_t i = 0; i < mesh.vertices(); ++i) bounds.extend(mesh.position[i]);
+    return std::make_unique<light::SurfaceBend>(work, light::SurfaceTriangles{mesh.position, mesh.corner, mesh.side},
+                                                settings.curvature_scale * bounds.diagonal());
+}
+
+// Finds how the surface bends at the marks of a layer.
+void add_bends(const base::Work& work, const ShadedItem& item, const marks::Layer& layer,
+               const light::SurfaceBend& bend, LayerShading& to) {
     ShadedItem own = item;
     own.to_world = glm::dmat4(1.0);
     const WorldMarks marks = in_world(work, own, layer);
-    base::Array<float> bend = light::find_bend(work, {mesh.position, mesh.corner, mesh.side},
-                                               {marks.position, marks.normal, 0.0}, scale * bounds.diagonal());
-    for (float& number : bend) number = std::tanh(scene_tuning.bend_gain * number);
-    return bend;
-}
-
-// Finds how the surface bends, or takes it from a previous shading.
-void add_bends(const base::Work& work, const ShadedItem& item, const ShadingSettings& settings, std::int64_t number,
-               LayerShading& to) {
-    const marks::Layer& layer = item.set->layers[number];
-    if (settings.previous != nullptr && !settings.previous->layers[number].bend.empty()) {
-        marks::copy_array(settings.previous->layers[number].bend, to.bend);
-        marks::copy_array(settings.previous->layers[number].bend_in_blocks, to.bend_in_blocks);
-    } else if (item.mesh != nullptr && settings.curvature_scale > 0.0) {
-        to.bend = find_bends(work, item, layer, settings.curvature_scale);
-        to.bend_in_blocks.resize_for_overwrite(layer.clusters.block.size() * marks::MarkBlock::size);
-        sort_into_blocks(to.bend, 0, layer, to.bend_in_blocks.data());
-    }
+    to.bend = bend.contrast(work, {marks.position, marks.normal, 0.0});
+    to.bend_in_blocks.resize_for_overwrite(layer.clusters.block.size() * marks::MarkBlock::size);
+    sort_into_blocks(to.bend, 0, layer, to.bend_in_blocks.data());
 }
 
 } // namespace
@@ -138,6 +132,10 @@ SeenShares Shading::of_mark(std::int64_t layer, std::int64_t mark) const noexcep
     for (std::size_t i = 0; i < shadow.size(); ++i)
         if (shadow[i] >= 0) seen.visible[i] = from.visible[shadow[i] * marks + mark];
     return seen;
+}
+
+bool Shading::has_bend() const noexcept {
+    return std::any_of(layers.begin(), layers.end(), [](const LayerShading& layer) { return !layer.bend.empty(); });
 }
 
 std::int64_t Shading::bytes() const noexcept {
@@ -207,6 +205,8 @@ Shading find_shading(const base::Work& work, const Casters& casters, const Shade
     for (std::size_t i = 0; i < item.lights.size(); ++i)
         if (item.lights[i].shadow > 0.0F) shading.shadow[i] = shading.shadows++;
     const double offset = scene_tuning.shading_offset * casters.cell;
+    const bool has_bend = settings.previous != nullptr && settings.previous->has_bend();
+    const auto bend = has_bend ? nullptr : bend_of(work.without_progress(), item, settings);
     for (std::int64_t number = 0; number < item.set->layers.size(); ++number) {
         const marks::Layer& layer = item.set->layers[number];
         const base::Work part =
@@ -226,7 +226,12 @@ Shading find_shading(const base::Work& work, const Casters& casters, const Shade
             to.open_in_blocks.resize_for_overwrite(in_blocks);
             sort_into_blocks(to.open, 0, layer, to.open_in_blocks.data());
         }
-        add_bends(part.without_progress(), item, settings, number, to);
+        if (has_bend) {
+            marks::copy_array(settings.previous->layers[number].bend, to.bend);
+            marks::copy_array(settings.previous->layers[number].bend_in_blocks, to.bend_in_blocks);
+        } else if (bend != nullptr) {
+            add_bends(part.without_progress(), item, layer, *bend, to);
+        }
         to.visible_in_blocks.resize_for_overwrite(shading.shadows * in_blocks);
         for (std::size_t i = 0; i < item.lights.size(); ++i) {
             if (shading.shadow[i] < 0) continue;

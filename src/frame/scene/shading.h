@@ -48,6 +48,7 @@ struct Shading {
     // Returns the shares of all marks of a layer, of a light or, if `light` is -1, of the sky. Empty: they are all 1.
     [[nodiscard]] std::span<const float> of_layer(std::int64_t layer, std::int64_t light) const noexcept;
     [[nodiscard]] SeenShares of_mark(std::int64_t layer, std::int64_t mark) const noexcept;
+    [[nodiscard]] bool has_bend() const noexcept;
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };
 

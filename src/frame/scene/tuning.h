@@ -37,10 +37,6 @@ struct SceneTuning {
     // shadows. Larger: no spots where a mesh lies above the surface, but light leaks where surfaces touch.
     double shading_offset = 0.25;
 
-    // The contrast of curvature is the hyperbolic tangent of this number times the mean curvature times its scale.
-    // Larger: gentle ridges and hollows count more, but sharp ones look alike.
-    float bend_gain = 3.0F;
-
     // ---- Borders of shadows. A cell is the side of a cell of the mesh on which lines are found.
 
     // For models with creases, a light is moved to one side by this angle, in radians, so that it grazes no face.
