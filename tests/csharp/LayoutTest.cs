@@ -163,7 +163,9 @@ namespace HrbfNpr.Tests
                 "attributes", "attribute_count", "attribute_stride"));
             faults.AddRange(Unseen(typeof(hrbfnpr_context_desc), typeof(ContextOptions),
                 "abi_version", "flags", "log_user", "run_tasks_user"));
-            faults.AddRange(Unseen(typeof(hrbfnpr_picture_source), typeof(PictureSource), "flags"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_picture_source), typeof(PictureSource), "flags", "field_count",
+                "field_stride"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_source_field), typeof(SourceField)));
             faults.AddRange(Unseen(typeof(hrbfnpr_picture_desc), typeof(PictureOptions),
                 "flags", "sources", "source_count", "source_stride", "change_count", "change_stride", "dab_count",
                 "dab_stride", "event_user"));

@@ -404,6 +404,11 @@ void Scene::describe_pictures() {
     source_.points = in(points_, 6);
     source_.normals = in(normals_, 6);
     source_.name = "sphere";
+    source_field_ = made(hrbfnpr_source_field_init);
+    source_field_.name = "quality";
+    source_field_.values = {quality_.data(), 6, 0, HRBFNPR_SCALAR_FLOAT32, 1};
+    source_.fields = &source_field_;
+    source_.field_count = 1;
     change_ = made(hrbfnpr_change_init);
     change_.field = "marks.layers.budget";
     change_.value = "50";

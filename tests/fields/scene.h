@@ -167,6 +167,8 @@ private:
     hrbfnpr_pen pen_{};
     hrbfnpr_annotation annotation_{};
     hrbfnpr_page_desc page_desc_{};
+    std::array<float, 6> quality_{};
+    hrbfnpr_source_field source_field_{};
     hrbfnpr_picture_source source_{};
     hrbfnpr_change change_{};
     hrbfnpr_dab dab_{};

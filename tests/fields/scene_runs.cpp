@@ -359,6 +359,7 @@ std::vector<Slot> Scene::slots() {
         FIELDS_TEST_SLOT(hrbfnpr_pen, pen_, write_page),
         FIELDS_TEST_SLOT(hrbfnpr_annotation, annotation_, write_page),
         FIELDS_TEST_SLOT(hrbfnpr_page_desc, page_desc_, write_page),
+        FIELDS_TEST_SLOT(hrbfnpr_source_field, source_field_, make_picture),
         FIELDS_TEST_SLOT(hrbfnpr_picture_source, source_, make_picture),
         FIELDS_TEST_SLOT(hrbfnpr_change, change_, make_picture),
         FIELDS_TEST_SLOT(hrbfnpr_dab, dab_, make_picture),

@@ -350,6 +350,8 @@ namespace HrbfNpr
         NotUsable = 76,
         /// <summary>No ground is drawn; the text says why.</summary>
         NoGround = 77,
+        /// <summary>Inks are chosen from the colours of the source [inks].</summary>
+        PaletteChosen = 78,
     }
 
     /// <summary>Where views stand [ISO 5456-2].</summary>

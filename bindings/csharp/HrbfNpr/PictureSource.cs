@@ -5,6 +5,38 @@ using System.Threading;
 
 namespace HrbfNpr
 {
+    /// <summary>Values of a source's points, such as the colours or a quality of a mesh's vertices.</summary>
+    public sealed class SourceField
+    {
+        /// <summary>Makes a field.</summary>
+        /// <param name="name">Name for styles.</param>
+        /// <param name="values">A number for each point, or three for colours and directions.</param>
+        /// <param name="kind">What the values are.</param>
+        public SourceField(string name, ArrayView values, FieldKind kind = FieldKind.Scalar)
+        {
+            Name = name ?? throw new ArgumentNullException(nameof(name));
+            Values = values;
+            Kind = kind;
+        }
+
+        /// <summary>What the values are.</summary>
+        public FieldKind Kind { get; }
+
+        /// <summary>Name for styles, 1 to 63 bytes of UTF-8.</summary>
+        public string Name { get; }
+
+        /// <summary>The values; float, double or byte.  Colours of bytes are 0 to 255.</summary>
+        public ArrayView Values { get; }
+
+        internal unsafe void Write(hrbfnpr_source_field* field, Pins pins)
+        {
+            Errors.Check(NativeMethods.hrbfnpr_source_field_init(field, (uint)sizeof(hrbfnpr_source_field)));
+            field->kind = (uint)Kind;
+            field->name = pins.Text(Name);
+            field->values = Values.ToNative(pins, Kind == FieldKind.Scalar ? 1 : 3, nameof(Values));
+        }
+    }
+
     /// <summary>A source of a picture: points, a mesh, a model, or a point set.</summary>
     /// <remarks>
     /// Arrays are read while a picture is made, and are not kept.  The picture keeps a model and a point set.
@@ -70,6 +102,11 @@ namespace HrbfNpr
 
         /// <summary>Name of the file, for titles and metadata; default null = none.</summary>
         public string Name { get; set; }
+
+        /// <summary>
+        /// Values of the points or vertices.  A style that names one gets it, as do the changes "style.field".
+        /// </summary>
+        public IList<SourceField> Fields { get; } = new List<SourceField>();
 
         /// <summary>Makes a source of points, with or without normals.</summary>
         /// <param name="points">The n points.  Points that are not finite are left out.</param>
@@ -254,6 +291,24 @@ namespace HrbfNpr
             source->columns = Columns;
             source->rows = Rows;
             source->name = pins.Text(Name);
+            WriteFields(source, pins);
+        }
+
+        private unsafe void WriteFields(hrbfnpr_picture_source* source, Pins pins)
+        {
+            if (Fields.Count == 0)
+            {
+                return;
+            }
+            var structs = new hrbfnpr_source_field[Fields.Count];
+            var first = (hrbfnpr_source_field*)pins.Pin(structs);
+            for (int i = 0; i < structs.Length; ++i)
+            {
+                SourceField field = Fields[i] ?? throw new ArgumentNullException(nameof(Fields));
+                field.Write(first + i, pins);
+            }
+            source->fields = (IntPtr)first;
+            source->field_count = structs.Length;
         }
     }
 }

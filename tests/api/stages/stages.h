@@ -45,9 +45,9 @@ private:
                    std::uint32_t sides = HRBFNPR_SIDES_FRONT, const hrbfnpr_shading* shading = nullptr);
     void add_page(std::vector<Stage>& stages, const char* name, std::uint32_t format, std::uint32_t flags);
     // Adds stages that make, draw and read (as an image) a picture of one source. `picture` refers to arrays that live
-    // as long as the stages.
+    // as long as the stages. `uses` is the value of the change "style.field".
     void add_picture(std::vector<Stage>& stages, const char* name, const hrbfnpr_picture_source& source,
-                     std::uint32_t preset);
+                     std::uint32_t preset, const char* uses = "");
     [[nodiscard]] hrbfnpr_picture_desc picture_desc() const;
 
     void add_field(std::vector<Stage>& stages, const char* name, const hrbfnpr_field_desc& desc);
@@ -80,6 +80,7 @@ private:
     Renderer renderer_;
     Drawing drawing_;
     std::array<hrbfnpr_change, 3> changes_{};
+    hrbfnpr_source_field field_{};
     Picture picture_;
     Drawing picture_drawing_;
 };

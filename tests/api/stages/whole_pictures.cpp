@@ -62,9 +62,14 @@ hrbfnpr_picture_desc Stages::picture_desc() const {
 }
 
 void Stages::add_picture(std::vector<Stage>& stages, const char* name, const hrbfnpr_picture_source& source,
-                         std::uint32_t preset) {
-    add(stages, name, [this, source, preset](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+                         std::uint32_t preset, const char* uses) {
+    add(stages, name, [this, source, preset, uses](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
         auto desc = picture_desc();
+        std::array<hrbfnpr_change, 4> changes{changes_[0], changes_[1], changes_[2], made(hrbfnpr_change_init)};
+        changes[3].field = "style.field";
+        changes[3].value = uses;
+        desc.changes = changes.data();
+        desc.change_count = static_cast<std::int64_t>(changes.size());
         desc.sources = &source;
         desc.source_count = 1;
         desc.preset = preset;
@@ -90,6 +95,15 @@ void Stages::add_pictures(std::vector<Stage>& stages) {
     points.normals = in(samples_.normals);
     add_picture(stages, "picture.points", points, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE);
     add_picture(stages, "picture.plate", points, HRBFNPR_PRESET_ARCHAEOLOGICAL);
+    auto valued = points;
+    field_ = made(hrbfnpr_source_field_init);
+    field_.name = "x";
+    field_.values = in(samples_.points);
+    field_.values.components = 1;
+    field_.values.stride = 3 * std::int64_t{sizeof(double)};
+    valued.fields = &field_;
+    valued.field_count = 1;
+    add_picture(stages, "picture.fields", valued, HRBFNPR_PRESET_STIPPLE, "tone=x,mask=-x");
     auto bare = made(hrbfnpr_picture_source_init);
     bare.points = in(dense_.points);
     add_picture(stages, "picture.no_normals", bare, HRBFNPR_PRESET_STIPPLE);
