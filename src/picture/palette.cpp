@@ -13,7 +13,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-using Lab = std::array<double, 3>; // lightness 0 .. 1, and two axes of colour
+using Hue = std::array<double, 2>; // the two axes of colour in Oklab; grey is 0, 0
 
 double linear_of(double coded) noexcept {
     return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
@@ -23,61 +23,60 @@ double coded_of(double linear) noexcept {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
-// Converts between sRGB and Oklab [Ottosson 2020].
-Lab lab_of(const std::array<float, 3>& rgb) noexcept {
+// Converts between sRGB and Oklab [Ottosson 2020]. The lightness of a colour is left out, because the tone shows it.
+Hue hue_of(const std::array<float, 3>& rgb) noexcept {
     const double r = linear_of(static_cast<double>(rgb[0]));
     const double g = linear_of(static_cast<double>(rgb[1]));
     const double b = linear_of(static_cast<double>(rgb[2]));
     const double l = std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
     const double m = std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
     const double s = std::cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
-    return {0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
-            1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+    return {1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
             0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
 }
 
-std::array<double, 3> linear_rgb_of(const Lab& lab) noexcept {
+std::array<double, 3> linear_rgb_of(double lightness, const Hue& hue) noexcept {
     const auto cube = [](double x) { return x * x * x; };
-    const double l = cube(lab[0] + 0.3963377774 * lab[1] + 0.2158037573 * lab[2]);
-    const double m = cube(lab[0] - 0.1055613458 * lab[1] - 0.0638541728 * lab[2]);
-    const double s = cube(lab[0] - 0.0894841775 * lab[1] - 1.2914855480 * lab[2]);
+    const double l = cube(lightness + 0.3963377774 * hue[0] + 0.2158037573 * hue[1]);
+    const double m = cube(lightness - 0.1055613458 * hue[0] - 0.0638541728 * hue[1]);
+    const double s = cube(lightness - 0.0894841775 * hue[0] - 1.2914855480 * hue[1]);
     return {4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
             -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
             -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
 }
 
-double squared_distance(const Lab& a, const Lab& b) noexcept {
+double squared_distance(const Hue& a, const Hue& b) noexcept {
     double sum = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    for (std::size_t i = 0; i < 2; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
     return sum;
 }
 
-std::size_t nearest_of(const Vector<Lab>& middles, const Lab& colour) noexcept {
-    const auto nearer = [&](const Lab& a, const Lab& b) {
+std::size_t nearest_of(const Vector<Hue>& middles, const Hue& colour) noexcept {
+    const auto nearer = [&](const Hue& a, const Hue& b) {
         return squared_distance(a, colour) < squared_distance(b, colour);
     };
     return static_cast<std::size_t>(std::min_element(middles.begin(), middles.end(), nearer) - middles.begin());
 }
 
-Lab mean_of(const Vector<Lab>& colours) noexcept {
-    Lab sum{};
-    for (const Lab& colour : colours)
-        for (std::size_t i = 0; i < 3; ++i) sum[i] += colour[i] / static_cast<double>(colours.size());
+Hue mean_of(const Vector<Hue>& colours) noexcept {
+    Hue sum{};
+    for (const Hue& colour : colours)
+        for (std::size_t i = 0; i < 2; ++i) sum[i] += colour[i] / static_cast<double>(colours.size());
     return sum;
 }
 
 // Returns the colours that groups start from: the one farthest from the mean, then the one farthest from those before,
 // while they differ visibly.
-Vector<Lab> first_middles(const Vector<Lab>& colours, Pool& pool) {
-    Vector<Lab> middles(&pool);
-    const Lab mean = mean_of(colours);
+Vector<Hue> first_middles(const Vector<Hue>& colours, Pool& pool) {
+    Vector<Hue> middles(&pool);
+    const Hue mean = mean_of(colours);
     const double least = palette_tuning.least_difference * palette_tuning.least_difference;
     while (middles.size() < palette_tuning.inks) {
-        const auto distance = [&](const Lab& colour) {
+        const auto distance = [&](const Hue& colour) {
             return squared_distance(colour, middles.empty() ? mean : middles[nearest_of(middles, colour)]);
         };
-        const Lab* farthest = colours.data();
-        for (const Lab& colour : colours)
+        const Hue* farthest = colours.data();
+        for (const Hue& colour : colours)
             if (distance(colour) > distance(*farthest)) farthest = &colour;
         if (!middles.empty() && distance(*farthest) < least) break;
         middles.push_back(*farthest);
@@ -86,26 +85,28 @@ Vector<Lab> first_middles(const Vector<Lab>& colours, Pool& pool) {
 }
 
 // Moves each middle to the mean of the colours that are nearest to it.
-void move_middles(const Vector<Lab>& colours, Vector<Lab>& middles, Pool& pool) {
-    Vector<Lab> sums(middles.size(), Lab{}, &pool);
+void move_middles(const Vector<Hue>& colours, Vector<Hue>& middles, Pool& pool) {
+    Vector<Hue> sums(middles.size(), Hue{}, &pool);
     Vector<double> counts(middles.size(), 0.0, &pool);
-    for (const Lab& colour : colours) {
+    for (const Hue& colour : colours) {
         const std::size_t group = nearest_of(middles, colour);
-        for (std::size_t i = 0; i < 3; ++i) sums[group][i] += colour[i];
+        for (std::size_t i = 0; i < 2; ++i) sums[group][i] += colour[i];
         counts[group] += 1.0;
     }
     for (std::size_t group = 0; group < middles.size(); ++group)
         if (counts[group] > 0.0)
-            for (std::size_t i = 0; i < 3; ++i) middles[group][i] = sums[group][i] / counts[group];
+            for (std::size_t i = 0; i < 2; ++i) middles[group][i] = sums[group][i] / counts[group];
 }
 
-// Returns a darker ink of the same hue. Its chroma is reduced until the ink can be shown.
-std::array<float, 4> darker_ink(const Lab& colour) noexcept {
-    const double lightness = palette_tuning.darkness * colour[0];
+// Returns an ink of a hue. Its chroma is reduced until it can be shown. All inks are equally light, so that the nearest
+// ink of a colour is the one of the nearest hue.
+std::array<float, 4> ink_of(const Hue& hue) noexcept {
+    constexpr double less_chroma = 0.9;
+    constexpr int most_steps = 32;
     double chroma = palette_tuning.chroma;
     std::array<double, 3> linear{};
-    for (int step = 0; step < 32; ++step, chroma *= 0.9) {
-        linear = linear_rgb_of({lightness, chroma * colour[1], chroma * colour[2]});
+    for (int step = 0; step < most_steps; ++step, chroma *= less_chroma) {
+        linear = linear_rgb_of(palette_tuning.lightness, {chroma * hue[0], chroma * hue[1]});
         const auto can_be_shown = [](double part) { return part >= 0.0 && part <= 1.0; };
         if (std::all_of(linear.begin(), linear.end(), can_be_shown)) break;
     }
@@ -139,14 +140,13 @@ void add_colours(const PointSet& marks, const char* field, Vector<std::array<flo
 
 Vector<std::array<float, 4>> inks_of(const Vector<std::array<float, 3>>& colours, Pool& pool) {
     HRBFNPR_ASSERT(!colours.empty());
-    Vector<Lab> labs(&pool);
-    labs.reserve(colours.size());
-    for (const std::array<float, 3>& colour : colours) labs.push_back(lab_of(colour));
-    Vector<Lab> middles = first_middles(labs, pool);
-    for (int round = 0; round < palette_tuning.rounds; ++round) move_middles(labs, middles, pool);
-    std::sort(middles.begin(), middles.end(), [](const Lab& a, const Lab& b) { return a[0] < b[0]; });
+    Vector<Hue> hues(&pool);
+    hues.reserve(colours.size());
+    for (const std::array<float, 3>& colour : colours) hues.push_back(hue_of(colour));
+    Vector<Hue> middles = first_middles(hues, pool);
+    for (int round = 0; round < palette_tuning.rounds; ++round) move_middles(hues, middles, pool);
     Vector<std::array<float, 4>> inks(&pool);
-    for (const Lab& middle : middles) inks.push_back(darker_ink(middle));
+    for (const Hue& middle : middles) inks.push_back(ink_of(middle));
     return inks;
 }
 

@@ -75,12 +75,12 @@ public:
 
     // Adds the values of the next source.
     void add(SourceValues&& values) { sources_.push_back(std::move(values)); }
-    // Finds the values that a text names. Throws Error{invalid_argument} that names the values there are, or that says
-    // what is wrong with the kind of the values.
+    // Finds the values that a text names. Throws Error{invalid_argument} if there are none, with the names of those
+    // that exist, and if their kind does not suit the use.
     [[nodiscard]] WantedField find(const Call& call, std::string_view text, FieldUse use) const;
     // Makes a field of the values of a source. The result is null if the source has no such values.
     [[nodiscard]] Field make_field(const Call& call, const WantedField& wanted, std::size_t source) const;
-    // Returns the number of a source's values.
+    // Returns whether no source has values.
     [[nodiscard]] bool empty() const noexcept;
 
 private:

@@ -56,12 +56,12 @@ inline constexpr LineStyleTuning line_style_tuning;
 struct PaletteTuning {
     // The largest number of inks. Larger: colours are shown more faithfully, by more pens.
     std::size_t inks = 3;
-    // The least difference between the colours of two inks before they are darkened, in Oklab. Larger: fewer inks.
-    double least_difference = 0.05;
+    // The least difference between the hues of two inks, in Oklab. Larger: fewer inks.
+    double least_difference = 0.04;
     // The number of times that groups of colours are formed anew. Larger: slower, and after some rounds no difference.
     int rounds = 12;
-    // An ink has this share of the lightness, and this many times the chroma, of its colours. Larger: paler, brighter.
-    double darkness = 0.7;
+    // The lightness of all inks, and the factor of the chroma of colours. Larger: paler inks; brighter inks.
+    double lightness = 0.5;
     double chroma = 1.15;
     // About the largest number of marks of a part whose colours are looked at. Larger: slower.
     std::int64_t most_colours = 8000;

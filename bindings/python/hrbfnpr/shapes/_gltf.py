@@ -87,7 +87,7 @@ class _Reader:
         self._views: Dict[int, bytes] = {}  # the unpacked views
         self._points: List[Floats] = []
         self._normals: List[Optional[Floats]] = []
-        self._colours: List[Tuple[int, Optional[PointValues]]] = []  # of each part: a count, and colours
+        self._colours: List[Tuple[int, Optional[PointValues]]] = []  # a count and colours for each part
         self._triangles: List[Integers] = []
         self._count = 0
         self._world: Dict[int, Floats] = {}
