@@ -257,7 +257,6 @@ View* App::movable() {
 void App::moved() {
     enclose(*view_, scene_->centre(), 0.5 * scene_->diagonal());
     is_stale_ = true;
-    if (!choices.dabs.empty()) restyle_soon(); // a light that turns with the camera changes the painted tones
 }
 
 void App::orbit_by(double dx, double dy) {

@@ -1461,8 +1461,8 @@ export interface Style {
   toneSteps?: number;
   /**
    * light that ridges and hills add, and that hollows take away: it is multiplied by a number from -1 to 1, tanh(3
-   * H scale) of the mean curvature H, which is above 0 on a ball; 0 .. 16; default 0. It has an effect on items
-   * whose shading was made with it (hrbfnpr_shading_desc.curvature_scale)
+   * H scale) less its mean over the surface, where H is the mean curvature; 0 .. 16; default 0. It has an effect
+   * on items whose shading was made with it (hrbfnpr_shading_desc.curvature_scale)
    */
   curvatureContrast?: number;
   /**

@@ -3466,8 +3466,8 @@ pub struct hrbfnpr_style {
     /// of t have the same size
     pub tone_steps: u32,
     /// light that ridges and hills add, and that hollows take away: it is multiplied by a number
-    /// from -1 to 1, tanh(3 H scale) of the mean curvature H, which is above 0 on a ball; 0 ..
-    /// 16; default 0. It has an effect on items whose shading was made with it
+    /// from -1 to 1, tanh(3 H scale) less its mean over the surface, where H is the mean
+    /// curvature; 0 .. 16; default 0. It has an effect on items whose shading was made with it
     /// (hrbfnpr_shading_desc.curvature_scale)
     pub curvature_contrast: f32,
     /// share of the light of all lights and of the fill light that is lost where no sky is seen,
