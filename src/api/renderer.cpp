@@ -68,8 +68,9 @@ public:
                 std::as_const(renderer_.poses).span().subspan(pose, static_cast<std::size_t>(given.pose_count));
             item.style.lights =
                 std::as_const(renderer_.styles.lights).span().subspan(light, static_cast<std::size_t>(its.light_count));
-            item.style.palette =
-                std::as_const(renderer_.styles.palette).span().subspan(ink, static_cast<std::size_t>(its.palette_count));
+            item.style.palette = std::as_const(renderer_.styles.palette)
+                                     .span()
+                                     .subspan(ink, static_cast<std::size_t>(its.palette_count));
             style += item.style.layers.size();
             ink += item.style.palette.size();
             light += item.style.lights.size();

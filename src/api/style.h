@@ -21,7 +21,7 @@ struct StyleLists {
         lights.clear();
         palette.clear();
     }
-    [[nodiscard]] std::int64_t bytes() const noexcept { 
+    [[nodiscard]] std::int64_t bytes() const noexcept {
         return layers.bytes() + lines.bytes() + lights.bytes() + palette.bytes();
     }
 

@@ -47,7 +47,7 @@ struct Dot {
     std::uint32_t id;      // 1 + the index of the mark among all marks of the drawing
     std::uint32_t layer;   // index of the dot's layer in the drawing
     MarkClass mark_class;
-    std::uint8_t flags; // a combination of the bits dot_* below
+    std::uint8_t flags;   // a combination of the bits dot_* below
     std::uint8_t ink = 0; // while a frame is made: the number of the dot's ink among those of its run
 };
 inline constexpr std::uint8_t dot_faces_back = 1;

@@ -92,7 +92,8 @@ TEST_F(Fields, MasksLeaveMarksOut) {
 
 TEST_F(Fields, WidthsMultiplyRadii) {
     marks::PointSet set = clustered(runtime, plane(runtime.memory, 80));
-    add_scalar(set.layers[0], "width", [](const glm::dvec3& p) { return std::max(0.0, 3.0 * p.x); }, patch);
+    add_scalar(
+        set.layers[0], "width", [](const glm::dvec3& p) { return std::max(0.0, 3.0 * p.x); }, patch);
     layer.width_field = "width";
     layer.radius = 1.5F;
     draw(set, front_camera(400, 400));
@@ -169,9 +170,9 @@ TEST_F(Fields, ReplacedTonesEqualThoseOfACallback) {
 // The marks of clusters that are skipped would not have been drawn.
 TEST_F(Fields, ScaledTonesAreThoseOfTheLightTimesTheField) {
     marks::PointSet set = clustered(runtime, sphere(runtime.memory, 30000));
-    add_scalar(set.layers[0], "tone", [](const glm::dvec3& p) { return 1.5 * waves(p); }, [](const glm::dvec3& p) {
-        return p.x > 0.0 ? 1.0 : 0.6;
-    });
+    add_scalar(
+        set.layers[0], "tone", [](const glm::dvec3& p) { return 1.5 * waves(p); },
+        [](const glm::dvec3& p) { return p.x > 0.0 ? 1.0 : 0.6; });
     layer.tone_field = "tone";
     layer.tone_field_rule = FieldRule::scale;
     style.tone = frame::Tone::light;
@@ -189,8 +190,9 @@ TEST_F(Fields, ScaledTonesAreThoseOfTheLightTimesTheField) {
 
 TEST_F(Fields, DarkerTonesThanTheLightsAreNotCulled) {
     marks::PointSet set = clustered(runtime, sphere(runtime.memory, 30000));
-    add_scalar(set.layers[0], "tone", [](const glm::dvec3&) { return 0.3; },
-               [](const glm::dvec3& p) { return p.y > 0.0 ? 0.8 : 0.0; });
+    add_scalar(
+        set.layers[0], "tone", [](const glm::dvec3&) { return 0.3; },
+        [](const glm::dvec3& p) { return p.y > 0.0 ? 0.8 : 0.0; });
     layer.tone_field = "tone";
     style.tone = frame::Tone::light;
     style.light = {0.0, 0.0, 1.0};

@@ -63,9 +63,7 @@ protected:
         return frame.drawing();
     }
     std::vector<int> drawn_inks() const { return inks_of_dots(frame.drawing(), frame.drawing().runs[0]); }
-    glm::dvec3 color_of(std::int64_t i) const {
-        return glm::dvec3(marks::vector_at(set.layers[0].fields[0].value, i));
-    }
+    glm::dvec3 color_of(std::int64_t i) const { return glm::dvec3(marks::vector_at(set.layers[0].fields[0].value, i)); }
 
     base::Runtime runtime;
     marks::PointSet set{runtime.memory};
@@ -76,9 +74,12 @@ protected:
 
 TEST_F(Inks, NearestInksAreNearestInOklab) {
     set = clustered(runtime, plane(runtime.memory, 90));
-    add_field(set.layers[0], "color", marks::FieldKind::colour, [](const glm::dvec3& p) {
-        return glm::dvec3(0.5 + 0.5 * p.x, 0.5 + 0.5 * p.y, 0.5 + 0.5 * std::sin(9.0 * p.x * p.y));
-    }, [](const glm::dvec3& p) { return p.x > 0.8 ? 0.4 : 0.7; });
+    add_field(
+        set.layers[0], "color", marks::FieldKind::colour,
+        [](const glm::dvec3& p) {
+            return glm::dvec3(0.5 + 0.5 * p.x, 0.5 + 0.5 * p.y, 0.5 + 0.5 * std::sin(9.0 * p.x * p.y));
+        },
+        [](const glm::dvec3& p) { return p.x > 0.8 ? 0.4 : 0.7; });
     draw(front_camera(300, 300));
     ASSERT_EQ(frame.drawing().layers.size(), 1 + std::ssize(palette));
     const std::vector<int> inks = drawn_inks();
@@ -146,8 +147,7 @@ TEST_F(Inks, AColorOfThePaletteIsNotMixed) {
 
 TEST_F(Inks, MarksKeepTheirInksFromFrameToFrame) {
     set = clustered(runtime, sphere(runtime.memory, 5000));
-    add_field(set.layers[0], "color", marks::FieldKind::colour,
-              [](const glm::dvec3& p) { return 0.5 + 0.5 * p; });
+    add_field(set.layers[0], "color", marks::FieldKind::colour, [](const glm::dvec3& p) { return 0.5 + 0.5 * p; });
     layer.palette_rule = PaletteRule::mixed;
     draw(front_camera(300, 300));
     const std::vector<int> first = drawn_inks();
@@ -265,8 +265,8 @@ TEST_F(InksOfHatch, PartsTooShortToDrawTakeTheInkOfTheirNeighbours) {
 
 TEST_F(InksOfHatch, MixedLinesKeepOneInkWhereTheColorStays) {
     add_field(set.layers[0], "color", marks::FieldKind::colour, [](const glm::dvec3&) {
-        const glm::dvec3 mean = 0.5 * (linear(glm::dvec3(glm::vec3(palette[0]))) +
-                                       linear(glm::dvec3(glm::vec3(palette[2]))));
+        const glm::dvec3 mean =
+            0.5 * (linear(glm::dvec3(glm::vec3(palette[0]))) + linear(glm::dvec3(glm::vec3(palette[2]))));
         return glm::dvec3(encoded(mean.x), encoded(mean.y), encoded(mean.z));
     });
     draw(front_camera(size, size));

@@ -158,6 +158,73 @@ TEST_F(LayOut, UsesTheLastMatchingPen) {
     EXPECT_DOUBLE_EQ(page.groups[2].group.pen_width, 0.7);
 }
 
+// Stipples in their own ink and in two inks of a palette.
+class LayOutInks : public LayOut {
+protected:
+    LayOutInks() {
+        set.layers.add(memory, marks::Kind::stipples);
+        picture.items.push_back({&set, 1.0, glm::dmat4(1.0), glm::mat3(1.0F)});
+        picture.layers.clear();
+        for (const std::int32_t number : {-1, 0, 1}) {
+            drawing::Layer layer;
+            layer.ink = {0.0F, 0.2F, 0.3F + 0.1F * static_cast<float>(number), 1.0F};
+            layer.ink_number = number;
+            picture.layers.push_back(layer);
+        }
+        picture.one_color = false;
+    }
+    // Adds a dot that all others overlap.
+    void add_dot(std::uint32_t layer, float depth) {
+        picture.dots.push_back({150.0F, 100.0F, 3.0F, 1.0F, depth, 0.5F, 1.0F, 1, layer, MarkClass::front, 0});
+    }
+    void lay_out_dots(std::span<const output::Pen> pens = {}) {
+        picture.dot_ranges.push_back({0, picture.dots.size()});
+        lay_out(pens);
+    }
+
+    marks::PointSet set{memory};
+};
+
+TEST_F(LayOutInks, EachInkIsOneGroupEvenIfInksOverlap) {
+    for (int i = 0; i < 6; ++i) add_dot(static_cast<std::uint32_t>(i % 3), static_cast<float>(i));
+    lay_out_dots();
+    ASSERT_EQ(page.groups.size(), 3U);
+    EXPECT_STREQ(page.groups[0].group.name, "stipples");
+    EXPECT_STREQ(page.groups[1].group.name, "stipples ink 1");
+    EXPECT_STREQ(page.groups[2].group.name, "stipples ink 2");
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(page.groups[i].dots.size(), 2U);
+        EXPECT_EQ(page.groups[i].group.pen, i + 1);
+    }
+}
+
+TEST_F(LayOutInks, OtherLayersAreStillPaintedFromFarToNear) {
+    drawing::Layer other;
+    other.layer = 1;
+    other.ink = {1.0F, 0.0F, 0.0F, 1.0F};
+    set.layers.add(memory, marks::Kind::stipples);
+    picture.layers.push_back(other);
+    add_dot(1, 3.0F);
+    add_dot(3, 2.0F);
+    add_dot(2, 1.0F);
+    lay_out_dots();
+    ASSERT_EQ(page.groups.size(), 3U);
+    EXPECT_STREQ(page.groups[0].group.name, "stipples ink 1");
+    EXPECT_STREQ(page.groups[1].group.name, "stipples");
+    EXPECT_STREQ(page.groups[2].group.name, "stipples ink 2, run 2");
+}
+
+TEST_F(LayOutInks, APenForAllGroupsIsTheFirstOfARow) {
+    for (std::uint32_t i = 0; i < 3; ++i) add_dot(i, 0.0F);
+    const std::vector<output::Pen> pens{{"", 0.3, {}, 4, {}}, {"stipples ink 2", 0.5, {}, 1, {}}};
+    lay_out_dots(pens);
+    ASSERT_EQ(page.groups.size(), 3U);
+    EXPECT_EQ(page.groups[0].group.pen, 4U);
+    EXPECT_EQ(page.groups[1].group.pen, 5U);
+    EXPECT_EQ(page.groups[2].group.pen, 1U);
+    EXPECT_DOUBLE_EQ(page.groups[2].group.pen_width, 0.5);
+}
+
 std::vector<Part> dashed(std::uint32_t type, const std::vector<PagePoint>& line, bool closed = false) {
     base::Memory memory;
     Groups found;

@@ -450,8 +450,7 @@ void add_dots(const RunView& v, const VisibleCluster& visible, const Selection& 
             const std::int64_t i = first + std::countr_zero(bits);
             const std::int64_t place = visible.cluster.block * MarkBlock::size + i;
             const float radius = v.run.discs.front_ink(projected.pixels_per_unit[i]) *
-                                 (width.empty() ? 1.0F : width[place]) *
-                                 (fields == nullptr ? 1.0F : fields->width[i]);
+                                 (width.empty() ? 1.0F : width[place]) * (fields == nullptr ? 1.0F : fields->width[i]);
             // The runs of the other side of a surface have opposite normals. The flag refers to the normals of the
             // front side, as for splats.
             const bool faces_back = (projected.nu[i] > 0.0F) != v.run.turned;
@@ -507,7 +506,8 @@ void gather_cluster(const RunView& v, const marks::Cluster& cluster, const Proje
     FieldBounds fields;
     const bool has_fields = tone && v.run.fields.any();
     if (has_fields)
-        fields = v.run.fields.effects_on(marks, [&](std::int64_t i) { return visible.mark(i); }, rows);
+        fields = v.run.fields.effects_on(
+            marks, [&](std::int64_t i) { return visible.mark(i); }, rows);
     const Selection selection = selection_of(v, visible, fields.most_width * ink + soft_rim);
     const std::int64_t inks = tone ? count_shown(visible, largest_shown_share(v, selection, visible, fields)) : 0;
     if (!visible.is_uniform)

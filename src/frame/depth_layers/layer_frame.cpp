@@ -360,7 +360,8 @@ std::int64_t cast_dot_rays(const base::Runtime& runtime, const Scene& scene, con
 LayerFrame::LayerFrame(const base::Runtime& runtime) noexcept
     : runtime_(runtime), gathering_(runtime.memory), hatch_points_(runtime), hatch_tiles_(runtime),
       edges_(runtime.memory), layers_(runtime.memory), dot_of_(runtime.memory), joined_(runtime.memory),
-      line_(runtime.memory), line_inks_(runtime.memory), ready_(runtime.memory), keys_(runtime.memory), order_(runtime.memory) {}
+      line_(runtime.memory), line_inks_(runtime.memory), ready_(runtime.memory), keys_(runtime.memory),
+      order_(runtime.memory) {}
 
 void LayerFrame::run(const Scene& scene, const LineStrokes& lines, const base::Progress& progress,
                      drawing::Drawing& drawing) {
@@ -406,8 +407,8 @@ void LayerFrame::dim(const Scene& scene, drawing::Drawing& drawing) {
     drawing.counts.dropped_hidden = dots - drawing.dot_count;
 }
 
-// Makes a line through the dots of consecutive marks of a stroke. The line is cut where the ink changes. The dots are no
-// longer drawn. dot_at(k) is the dot of the k-th mark.
+// Makes a line through the dots of consecutive marks of a stroke. The line is cut where the ink changes. The dots are
+// no longer drawn. dot_at(k) is the dot of the k-th mark.
 template <class DotAt>
 void LayerFrame::join(const Run& run, std::int64_t count, const DotAt& dot_at) {
     HRBFNPR_ASSERT(count >= 2);
@@ -432,8 +433,8 @@ void LayerFrame::join(const Run& run, std::int64_t count, const DotAt& dot_at) {
                 });
 }
 
-// If a layer is drawn as strokes, joins its consecutive marks that are shown into lines. A mark without shown neighbours
-// stays a dot.
+// If a layer is drawn as strokes, joins its consecutive marks that are shown into lines. A mark without shown
+// neighbours stays a dot.
 void LayerFrame::join_dots(const Scene& scene, drawing::Drawing& drawing) {
     joined_.strokes.clear();
     joined_.points.clear();
@@ -503,8 +504,7 @@ void LayerFrame::add_strokes(const LineStrokes& lines, drawing::Drawing& drawing
 std::int64_t LayerFrame::bytes() const noexcept {
     return gathering_.bytes() + hatch_points_.bytes() + hatch_tiles_.bytes() + edges_.bytes() + layers_.bytes() +
            dot_of_.bytes() + joined_.strokes.bytes() + joined_.points.bytes() + line_.bytes() + line_inks_.bytes() +
-           ready_.bytes() + keys_.bytes() +
-           order_.bytes();
+           ready_.bytes() + keys_.bytes() + order_.bytes();
 }
 
 } // namespace hrbfnpr::frame

@@ -135,14 +135,6 @@ RunSight sight_of_run(const HatchView& view, const Run& run, const ItemSight& si
     return v;
 }
 
-// Returns bounds for what fields do to the marks of a piece.
-[[nodiscard]] FieldBounds field_bounds_of(const RunSight& v, const marks::StrokePiece& piece) noexcept {
-    if (!v.run.fields.any()) return {};
-    FieldRows rows;
-    return v.run.fields.effects_on(
-        piece.count, [&](std::int64_t i) { return v.run.marks->mark_of(piece.first + i); }, rows);
-}
-
 // Returns whether a mark of the piece may be drawn. If not, all of its marks are too light, face away, are outside, or
 // have a level without space.
 bool may_draw_piece(const RunSight& v, const marks::StrokePiece& piece) noexcept {
@@ -156,7 +148,7 @@ bool may_draw_piece(const RunSight& v, const marks::StrokePiece& piece) noexcept
     const std::int64_t number = &piece - v.run.clusters->piece.data();
     const SeenShares seen = shading != nullptr ? shading->layers[v.run.layer].of_piece[number] : SeenShares();
     const float tau = is_lit ? least_tau_of_piece(piece, v.sight, seen) : 0.0F;
-    const FieldBounds fields = field_bounds_of(v, piece);
+    const FieldBounds fields = v.run.field_bounds_of(piece);
     const float darkness = (1.0F - fields.least_tone(tau)) * fields.most_density + rounding_of_margins;
     if (darkness < v.style.hatch_tone_begin) return false;
     return !(v.separation > 0.0F) || has_room(v, piece.level, view.nearest, darkness);

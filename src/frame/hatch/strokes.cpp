@@ -85,7 +85,8 @@ public:
     // `inks` is NULL if the run has no inks.
     ChainStrokes(const Run& run, const InkChoice* inks, float halo, const Hiding& hiding, const HatchChain& chain,
                  std::span<const HatchSample> samples, std::span<Dot> dots, HatchStrokePart& part)
-        : run_(run), style_(*run.style), inks_(inks), halo_(halo), hiding_(hiding), chain_(chain), samples_(samples), dots_(dots), part_(part) {
+        : run_(run), style_(*run.style), inks_(inks), halo_(halo), hiding_(hiding), chain_(chain), samples_(samples),
+          dots_(dots), part_(part) {
         HRBFNPR_ASSERT(samples.size() == dots.size() && samples.size() >= 2);
         const std::int64_t count = size();
         part.length.clear();

@@ -104,7 +104,7 @@ std::uint8_t InkChoice::mixed(const glm::vec3& color, float threshold) const noe
         if (!(second >= 0.0F && third >= 0.0F && second + third <= 1.0F)) continue;
         const float first = 1.0F - second - third;
         const glm::vec3 mean = first * a + second * b + third * c;
-        // Of mixtures with nearly the same mean, the one of similar inks has the least grain.
+        // If several mixtures have nearly the same mean, the one of similar inks has the least grain.
         const float grain = first * squared(a - mean) + second * squared(b - mean) + third * squared(c - mean);
         const float cost = squared(mean - wanted) + scene_tuning.grain_cost * grain;
         if (!(cost < least)) continue;
@@ -137,8 +137,8 @@ void settle_inks(std::span<const drawing::StrokePoint> points, std::span<std::ui
         const float length = points[std::min(end, count - 1)].length - points[begin].length;
         const bool is_whole = begin == 0 && end == count;
         if (!is_whole && (begin + 1 == count || length < scene_tuning.shortest_in_ink * widest)) {
-            std::fill(inks.begin() + static_cast<std::ptrdiff_t>(begin), inks.begin() + static_cast<std::ptrdiff_t>(end),
-                      begin > 0 ? inks[begin - 1] : inks[end]);
+            std::fill(inks.begin() + static_cast<std::ptrdiff_t>(begin),
+                      inks.begin() + static_cast<std::ptrdiff_t>(end), begin > 0 ? inks[begin - 1] : inks[end]);
             if (begin == 0) continue; // The part has grown, and may still be too short.
         }
         begin = end;

@@ -57,9 +57,9 @@ private:
 // Gives parts of a stroke that are too short to be drawn the ink of the part before, or else of the part after.
 void settle_inks(std::span<const drawing::StrokePoint> points, std::span<std::uint8_t> inks) noexcept;
 
-// Adds a stroke, cut where its ink changes. The layers of the parts follow `first_layer`. Each part but the last ends at
-// the first point of the next part. `inks` must be settled. add(stroke, points) adds a part, whose `first` and `count`
-// are not set.
+// Adds a stroke, cut where its ink changes. The layers of the parts follow `first_layer`. Each part but the last ends
+// at the first point of the next part. `inks` must be settled. add(stroke, points) adds a part, whose `first` and
+// `count` are not set.
 template <class Add>
 void add_in_inks(drawing::Stroke stroke, std::uint32_t first_layer, std::span<const drawing::StrokePoint> points,
                  std::span<const std::uint8_t> inks, const Add& add) {

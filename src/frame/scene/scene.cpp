@@ -431,6 +431,13 @@ glm::vec3 Run::posed_tone_normal_of(std::int64_t mark) const noexcept {
                    glm::dot(soft, glm::cross(n, d)) * glm::cross(now, along));
 }
 
+FieldBounds Run::field_bounds_of(const marks::StrokePiece& piece) const noexcept {
+    if (!fields.any()) return {};
+    FieldRows rows;
+    return fields.effects_on(
+        piece.count, [&](std::int64_t i) { return marks->mark_of(piece.first + i); }, rows);
+}
+
 void ToneCalls::begin(const ItemView& item, float* out, std::int64_t stride) noexcept {
     HRBFNPR_ASSERT(item.style.tone_function != nullptr && stride > 0);
     places_.clear(); // If the last frame failed, its places may still be in the list.

@@ -153,8 +153,8 @@ struct Run {
     // The drawing's layers of the run: one for its own ink, and one for each ink of the palette if the run has inks.
     std::uint32_t first_layer = 0;
     std::uint32_t layers = 1;
-    std::int32_t inks = -1; // index into the scene's choices of inks; -1: all marks have the layer's own ink
-    RunFields fields;       // A published drawing has none.
+    std::int32_t inks = -1;       // index into the scene's choices of inks; -1: all marks have the layer's own ink
+    RunFields fields;             // A published drawing has none.
     std::uint32_t directions = 3; // the directions whose strokes are front ink; bit 0 is the first, bit 1 the second
     Shape shape = Shape::dots;    // How front ink is drawn. Marks without strokes are always dots.
     bool draws_front = false;
@@ -189,6 +189,8 @@ struct Run {
     }
     // Returns what marks see of lights. The marks of the other side are lit as if all light reached them.
     [[nodiscard]] const Shading* shading_of(const ItemView& of) const noexcept { return turned ? nullptr : of.shading; }
+    // Returns bounds for what fields do to the marks of a piece of a stroke.
+    [[nodiscard]] FieldBounds field_bounds_of(const marks::StrokePiece& piece) const noexcept;
     // Returns the radius of the ink of a front mark, given by its index in the layer.
     [[nodiscard]] float front_ink(std::int64_t mark, float pixels_per_unit) const noexcept {
         const float radius = discs.front_ink(pixels_per_unit);
@@ -233,7 +235,7 @@ struct Scene {
     Camera camera;               // The camera. The unit of its eye space is that of the frame.
     base::Array<ItemView> items; // The items. Those for the other sides come last.
     base::Array<Run> runs;
-    base::List<InkChoice> inks;  // of the runs that have inks
+    base::List<InkChoice> inks;             // the choices of the runs that have inks
     base::List<marks::MarkClusters> posed;  // the clusters of layers with moved marks
     base::List<marks::MarkClusters> turned; // the clusters of the runs of the other sides
     base::Array<float> turned_normal;       // the normals for the runs of the other sides, run after run

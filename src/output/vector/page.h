@@ -96,8 +96,8 @@ struct PageGroup {
     static constexpr std::size_t most = 96;
     char name[most] = "";
     glm::vec4 ink{0.0F, 0.0F, 0.0F, 1.0F};
-    double pen_width = 0.0; // the width of all lines, in mm; 0: each line has its own width
-    std::uint32_t pen = 1;  // the number of a plotter's pen
+    double pen_width = 0.0;       // the width of all lines, in mm; 0: each line has its own width
+    std::uint32_t pen = 1;        // the number of a plotter's pen
     std::int32_t ink_number = -1; // the number of the ink in a style's palette; -1: the ink is in none
     LineType line_type{};
 };

@@ -110,8 +110,8 @@ struct Cells {
     }
 };
 
-// Returns whether it does not matter which of two layers is painted first: both have one colour, or they are inks of one
-// layer of marks.
+// Returns whether it does not matter which of two layers is painted first: both have one colour, or they are inks of
+// one layer of marks.
 [[nodiscard]] bool have_one_order(const drawing::Layer& a, const drawing::Layer& b) noexcept {
     if (glm::vec3(a.ink) == glm::vec3(b.ink)) return true;
     return a.layer >= 0 && a.item == b.item && a.layer == b.layer && a.mark_class == b.mark_class;
