@@ -73,6 +73,10 @@ TEST_F(WantedLinesTest, FindsTheLinesThatAStyleNeedsOnce) {
     find.desc.lines = "valleys";
     const Call asked = find.call();
     EXPECT_EQ(wanted_lines(asked, style, true)[0].kind, std::uint32_t{HRBFNPR_LINE_KIND_VALLEY});
+    find.desc.lines = "shadow,terminators";
+    const Call shadows = find.call();
+    EXPECT_EQ(wanted_lines(shadows, style, true)[0].kind, std::uint32_t{HRBFNPR_LINE_KIND_SHADOW});
+    EXPECT_EQ(wanted_lines(shadows, style, true)[1].kind, std::uint32_t{HRBFNPR_LINE_KIND_TERMINATOR});
     find.desc.lines = "none";
     const Call nothing = find.call();
     EXPECT_TRUE(wanted_lines(nothing, style, true).empty());

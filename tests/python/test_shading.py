@@ -64,6 +64,20 @@ def test_contrast_of_curvature_darkens_hollows(model):
         hrbfnpr.Shading(occluders, item)
 
 
+def test_borders_of_shadows_are_lines(model):
+    style = hrbfnpr.Style("silhouette", lines=("contour", "shadow", "terminator"))
+    style.lights = [hrbfnpr.Light(place=(1, 0.2, 0.4), space="world", shadow=0.5)]
+    item = hrbfnpr.Item(model.generate(budget=100), style, line_set=hrbfnpr.LineSet(model))
+    camera = hrbfnpr.Camera.fit(model, (0.3, 1, -0.7), (0, 0, 1), size=(200, 160))
+    for lines in (False, True):
+        item.shading = hrbfnpr.Shading(hrbfnpr.Occluders(item), item, lines=lines)
+        drawn = {layer.kind for layer in hrbfnpr.Renderer().draw(item, camera).layers if layer.strokes}
+        assert ({"shadow", "terminator"} <= drawn) == lines and "contour" in drawn
+    item.line_set = None
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="line_set"):
+        hrbfnpr.Shading(hrbfnpr.Occluders(hrbfnpr.Item(item.point_set, line_set=hrbfnpr.LineSet(model))), item, lines=True)
+
+
 def test_what_is_wrong_is_named(model):
     marks = model.generate(budget=100)
     item = hrbfnpr.Item(marks, line_set=hrbfnpr.LineSet(model))
