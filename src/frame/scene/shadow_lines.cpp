@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -312,50 +313,84 @@ struct TouchingRay {
     const Surface& surface; // the surface of the outline
     std::int64_t number;    // its number among the casters
     glm::dvec3 origin, beside, way;
+    glm::dvec3 normal; // Edge::normal
 };
 
-// Returns whether the ray does not meet its own surface near the outline, although it meets the mesh there.
-[[nodiscard]] bool is_false_hit(const TouchingRay& ray, std::int64_t met, double t) {
-    return met == ray.number && t < scene_tuning.shadow_near * ray.surface.cell &&
-           !find_root(ray.surface, ray.origin, ray.way, t);
+// Finds the first place near the outline where the ray enters its own surface. The exact surface is evaluated at places
+// along the ray, because the ray runs along the mesh there. Returns no value if all of them are outside.
+[[nodiscard]] std::optional<Root> find_near_root(const TouchingRay& ray) {
+    const Surface& surface = ray.surface;
+    const glm::dvec3 from = transformed(surface.from_world, ray.origin);
+    const glm::dvec3 step = glm::dmat3(surface.from_world) * ray.way;
+    const double length = scene_tuning.shadow_near * surface.cell / scene_tuning.near_places;
+    std::array<std::array<double, scene_tuning.near_places>, 7> numbers{};
+    auto& [x, y, z, value, gx, gy, gz] = numbers;
+    for (std::size_t k = 0; k < value.size(); ++k) {
+        const glm::dvec3 place = from + (static_cast<double>(k) + 1.0) * length * step;
+        x[k] = place.x;
+        y[k] = place.y;
+        z[k] = place.z;
+    }
+    surface.lines->surface().evaluate({x.data(), y.data(), z.data(), scene_tuning.near_places},
+                                      {value.data(), {gx.data(), gy.data(), gz.data()}, {}});
+    const double least = scene_tuning.least_depth * surface.lines->mesh().side;
+    for (std::size_t k = 0; k < value.size(); ++k) {
+        if (!(value[k] < -least * glm::length(glm::dvec3(gx[k], gy[k], gz[k])))) continue;
+        const double t = (static_cast<double>(k) + 1.0) * length;
+        if (const std::optional<Root> root = find_root(surface, ray.origin, ray.way, t); root) return root;
+        return Root{0.0, -1.0, from, glm::normalize(glm::transpose(glm::dmat3(surface.to_world)) * ray.normal)};
+    }
+    return std::nullopt;
+}
+
+// The first surface that a ray meets.
+struct Meeting {
+    std::int64_t number = -2; // the surface's number, or -2 for none
+    double t = 0.0;
+    std::optional<Root> near; // the exact place, if the ray meets its own surface near the outline
+};
+
+// `also` is a surface that is none of the casters, or null. Its number is -1. With `closely`, the ray's own surface
+// near the outline is examined even if the ray does not meet its mesh. Near a cusp a ray enters the surface at a small
+// angle.
+[[nodiscard]] Meeting first_meeting(const Casters& casters, const Casters* also, const TouchingRay& ray, double end,
+                                    bool closely) {
+    double from = 0.0;
+    std::optional<Root> near;
+    if (closely) near = find_near_root(ray);
+    if (near) end = std::min(end, near->t);
+    bool is_clear = closely; // whether the ray's own surface near the outline was examined
+    while (true) {
+        const geometry::Bvh::Hit hit = casters.tree.first_hit(ray.beside, ray.way, from, end);
+        Meeting met;
+        if (hit.face >= 0) met = {caster_of(casters, hit.face), hit.t, std::nullopt};
+        if (also != nullptr)
+            if (const geometry::Bvh::Hit other = also->tree.first_hit(ray.beside, ray.way, from, std::min(end, hit.t));
+                other.face >= 0)
+                met = {-1, other.t, std::nullopt};
+        if (near && (met.number == -2 || met.number == ray.number)) return {ray.number, near->t, near};
+        if (met.number != ray.number || met.t > scene_tuning.shadow_near * ray.surface.cell) return met;
+        if (!is_clear) met.near = find_near_root(ray);
+        if (met.near) return met;
+        is_clear = true;
+        from = met.t + scene_tuning.shadow_step * ray.surface.cell;
+    }
 }
 
 [[nodiscard]] bool sees_light(const Casters& casters, const TouchingRay& ray, double end) {
-    double from = 0.0;
-    for (int tries = 0; tries < scene_tuning.shadow_tries; ++tries) {
-        const geometry::Bvh::Hit hit = casters.tree.first_hit(ray.beside, ray.way, from, end);
-        if (hit.face < 0) return true;
-        if (!is_false_hit(ray, caster_of(casters, hit.face), hit.t)) return false;
-        from = hit.t + scene_tuning.shadow_start * ray.surface.cell;
-    }
-    return false;
+    return first_meeting(casters, nullptr, ray, end, false).number == -2;
 }
 
 // Finds the place where the shadow falls.
 void find_fall(const Surroundings& all, const TouchingRay& ray, Edge& edge) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    double from = 0.0;
-    for (int tries = 0; tries < scene_tuning.shadow_tries; ++tries) {
-        geometry::Bvh::Hit hit = all.casters.tree.first_hit(ray.beside, ray.way, from, infinity);
-        std::int64_t met = hit.face >= 0 ? caster_of(all.casters, hit.face) : -2;
-        if (all.single)
-            if (const geometry::Bvh::Hit other = all.single->tree.first_hit(ray.beside, ray.way, from, hit.t);
-                other.face >= 0) {
-                hit = other;
-                met = all.number;
-            }
-        if (met != -2 && is_false_hit(ray, met, hit.t)) {
-            from = hit.t + scene_tuning.shadow_start * ray.surface.cell;
-            continue;
-        }
-        if (met != all.number) return;
-        const std::optional<Root> root = find_root(all.receiver, ray.origin, ray.way, hit.t);
-        if (!root || !(root->slope < 0.0)) return;
-        edge.falls = true;
-        edge.shadow = root->place;
-        edge.up = root->normal;
-        return;
-    }
+    const Meeting met = first_meeting(all.casters, all.single ? &*all.single : nullptr, ray,
+                                      std::numeric_limits<double>::infinity(), true);
+    if (met.number != all.number) return;
+    const std::optional<Root> root = met.near ? met.near : find_root(all.receiver, ray.origin, ray.way, met.t);
+    if (!root || !(root->slope < 0.0)) return;
+    edge.falls = true;
+    edge.shadow = root->place;
+    edge.up = root->normal;
 }
 
 // Finds out about light and shadow at places of outlines.
@@ -370,9 +405,9 @@ void trace_rays(const base::Work& work, const Surroundings& all, const Source& s
                 if (edge.is_cusp) continue;
                 const glm::dvec3 away = source.away(edge.place);
                 const glm::dvec3 beside = edge.place + scene_tuning.shadow_offset * surface.cell * edge.normal;
-                edge.lit =
-                    sees_light(all.casters, {surface, number, edge.place, beside, -away}, source.distance(beside));
-                if (edge.lit) find_fall(all, {surface, number, edge.place, beside, away}, edge);
+                edge.lit = sees_light(all.casters, {surface, number, edge.place, beside, -away, edge.normal},
+                                      source.distance(beside));
+                if (edge.lit) find_fall(all, {surface, number, edge.place, beside, away, edge.normal}, edge);
             }
         });
 }
@@ -515,17 +550,27 @@ void add_terminators(const Sections& sections, const Surface& receiver, float st
     return length;
 }
 
-// Returns for each line the length of all lines that are joined with it, end to end. Ends within the distance `reach`
-// are joined.
-[[nodiscard]] base::Array<double> joined_lengths(const curves::Curves& curves, double reach) {
-    base::Memory& memory = curves.point.memory();
-    const std::int64_t count = curves.count();
+// Borders and terminators.
+struct ShadowLines {
+    explicit ShadowLines(base::Memory& memory) : borders(memory), terminators(memory) {}
+
+    curves::SurfaceLines borders, terminators;
+};
+
+// Returns for each border, and then for each terminator, the length of all lines that are joined with it, end to end.
+// Ends within the distance `reach` are joined.
+[[nodiscard]] base::Array<double> joined_lengths(const ShadowLines& lines, double reach) {
+    base::Memory& memory = lines.borders.strength.memory();
     geometry::VecArray ends(memory);
-    for (std::int64_t l = 0; l < count; ++l) {
-        ends.push_back(curves.point[curves.first[l]].position);
-        ends.push_back(curves.point[curves.first[l + 1] - 1].position);
-    }
-    base::Array<std::int64_t> group(memory, count); // a line of the same group with a lower number, or the line itself
+    base::Array<double> own(memory);
+    for (const curves::Curves* const curves : {&lines.borders.curves, &lines.terminators.curves})
+        for (std::int64_t l = 0; l < curves->count(); ++l) {
+            ends.push_back(curves->point[curves->first[l]].position);
+            ends.push_back(curves->point[curves->first[l + 1] - 1].position);
+            own.push_back(length_of(*curves, l));
+        }
+    // For each line: a line of the same group with a lower number, or the line itself.
+    base::Array<std::int64_t> group(memory, own.size());
     std::iota(group.begin(), group.end(), std::int64_t{0});
     const auto root = [&](std::int64_t line) {
         while (group[line] != line) line = group[line];
@@ -540,15 +585,16 @@ void add_terminators(const Sections& sections, const Surface& receiver, float st
             const std::int64_t b = root(other / 2);
             group[std::max(a, b)] = std::min(a, b);
         });
-    base::Array<double> total(memory, count);
-    for (std::int64_t l = 0; l < count; ++l) total[root(l)] += length_of(curves, l);
-    for (std::int64_t l = 0; l < count; ++l) total[l] = total[root(l)];
+    base::Array<double> total(memory, own.size());
+    for (std::int64_t l = 0; l < own.size(); ++l) total[root(l)] += own[l];
+    for (std::int64_t l = 0; l < own.size(); ++l) total[l] = total[root(l)];
     return total;
 }
 
-[[nodiscard]] curves::SurfaceLines without_scraps(const curves::SurfaceLines& lines, double reach, double shortest) {
+// Returns the lines whose length is at least `shortest`.
+[[nodiscard]] curves::SurfaceLines without_scraps(const curves::SurfaceLines& lines, const double* length,
+                                                  double shortest) {
     curves::SurfaceLines kept(lines.strength.memory());
-    const base::Array<double> length = joined_lengths(lines.curves, reach);
     curves::LineBuilder builder(kept, true);
     for (std::int64_t l = 0; l < lines.curves.count(); ++l) {
         if (length[l] < shortest) continue;
@@ -564,8 +610,7 @@ base::List<curves::FoundLines> find_shadow_lines(const base::Work& work, const C
                                                  const ShadedItem& item) {
     HRBFNPR_ASSERT(item.lines != nullptr);
     const Surroundings all = surroundings_of(work, casters, item);
-    curves::SurfaceLines borders(work.memory);
-    curves::SurfaceLines terminators(work.memory);
+    ShadowLines lines(work.memory);
     for (std::size_t i = 0; i < item.lights.size(); ++i) {
         const LightStyle& light = item.lights[i];
         if (!(light.shadow > 0.0F)) continue;
@@ -581,17 +626,18 @@ base::List<curves::FoundLines> find_shadow_lines(const base::Work& work, const C
             const Surface surface = surface_of(*caster.lines, caster.to_world);
             const Outlines outlines = find_outlines(work.without_progress(), surface, source);
             const Sections sections = follow(work, all, source, surface, number, outlines);
-            add_borders(sections, all.receiver, source, light.shadow, borders);
-            if (number == all.number) add_terminators(sections, all.receiver, light.shadow, terminators);
+            add_borders(sections, all.receiver, source, light.shadow, lines.borders);
+            if (number == all.number) add_terminators(sections, all.receiver, light.shadow, lines.terminators);
         }
     }
-    const double reach = scene_tuning.border_gap * item.lines->mesh().side;
     const double shortest = scene_tuning.shortest_shadow * casters.diagonal / mean_scale(item.to_world);
+    const base::Array<double> length = joined_lengths(lines, scene_tuning.border_gap * item.lines->mesh().side);
     base::List<curves::FoundLines> found(work.memory);
     for (const bool cast : {true, false}) {
-        curves::FoundLines& lines = found.add(curves::FoundLines(work.memory));
-        lines.kind = cast ? curves::LineKind::shadow : curves::LineKind::terminator;
-        lines.lines = without_scraps(cast ? borders : terminators, reach, shortest);
+        curves::FoundLines& of_kind = found.add(curves::FoundLines(work.memory));
+        of_kind.kind = cast ? curves::LineKind::shadow : curves::LineKind::terminator;
+        of_kind.lines = without_scraps(cast ? lines.borders : lines.terminators,
+                                       length.data() + (cast ? 0 : lines.borders.curves.count()), shortest);
     }
     return found;
 }

@@ -2,6 +2,8 @@
 // The tuning constants that all kinds of drawings share.
 #pragma once
 
+#include <cstdint>
+
 namespace hrbfnpr::frame {
 
 struct SceneTuning {
@@ -45,13 +47,17 @@ struct SceneTuning {
     // Rays that touch an outline begin this far beside it, in cells. Larger: fewer rays meet the mesh of their own
     // surface, but borders end farther from the things that hide them.
     double shadow_offset = 0.05;
-    // Where a ray meets the mesh of its own surface within this distance, in cells, the exact surface decides whether
-    // it is met. Larger: more evaluations.
+    // Where a ray meets the mesh of its own surface within the distance `shadow_near`, in cells, the exact surface is
+    // evaluated at `near_places` places up to this distance. The ray is inside the surface if a place is deeper than
+    // `least_depth` cells. Larger distances and more places: more time. Larger depths: shadows begin later.
     double shadow_near = 4.0;
+    std::int64_t near_places = 16;
+    double least_depth = 1e-4;
+    // A ray that meets the mesh but not the surface goes on after this distance, in cells. Larger: thin things right
+    // behind the mesh are missed.
+    double shadow_step = 1e-3;
     // A ray meets its own surface only beyond this distance, in cells. Larger: gaps where a cast shadow begins.
     double shadow_start = 1e-3;
-    // A ray passes at most this many places where a mesh is met and its surface is not. Larger: more time.
-    int shadow_tries = 16;
     // Newton's method for the place where a shadow falls ends after a step shorter than `shadow_tolerance`, or after
     // `shadow_steps` steps. The place is at most `shadow_farthest` from the mesh along the ray. In cells. Larger
     // tolerances: rough borders. More steps: fewer gaps where light grazes the surface.
