@@ -170,7 +170,7 @@ void check_palette(const char* name, std::string_view value, Pool& pool) {
 struct NamedUse {
     std::string_view name, path;
 };
-constexpr std::array field_uses{
+constexpr NamedUse field_uses[] = {
     NamedUse{"tone", "style.layers.tone_field"},   NamedUse{"density", "style.layers.density_field"},
     NamedUse{"width", "style.layers.width_field"}, NamedUse{"ink", "style.layers.ink_field"},
     NamedUse{"mask", "style.layers.mask_field"},   NamedUse{"direction", "marks.direction_field"}};
@@ -182,10 +182,10 @@ void add_field_uses(std::string_view uses, const char* name, Pool& pool, Vector<
         const std::string_view one = uses.substr(0, comma);
         uses.remove_prefix(std::min(comma + 1, uses.size()));
         const std::size_t equals = std::min(one.find('='), one.size());
-        const auto* const use = std::find_if(field_uses.begin(), field_uses.end(), [&](const NamedUse& known) {
+        const auto* const use = std::find_if(std::begin(field_uses), std::end(field_uses), [&](const NamedUse& known) {
             return same_name(known.name, one.substr(0, equals));
         });
-        if (equals == one.size() || use == field_uses.end())
+        if (equals == one.size() || use == std::end(field_uses))
             fail(Status::invalid_argument,
                  "%s.value of style.field is \"%.60s\"; it must be USE=NAME, with one of tone, density, width, ink, "
                  "mask, "

@@ -204,14 +204,13 @@ void for_shadows(const PlaneMap& map, std::span<const GroundLamp> lamps, std::sp
 
 // ---- The style
 
-// Lets the first light cast shadows if none does, and makes ambient light, so that the ground is darker beside the
-// object.
+// Lets the first light cast shadows if none does, and makes the ground transparent.
 void light_ground(Style& style) {
     hrbfnpr_style& base = style.base;
     base.tone = HRBFNPR_TONE_LIGHT;
     base.tone_function = nullptr;
     base.tone_rule = HRBFNPR_TONE_RULE_SHARE;
-    base.rim_light = base.fill_light = base.tone_black = 0.0F;
+    base.rim_light = base.fill_light = base.occlusion_lights = 0.0F;
     // A ground that is transparent hides nothing.
     base.hidden_lines = HRBFNPR_HIDDEN_LINES_ATTENUATE;
     base.attenuation_front = base.attenuation_back = 0.0;
@@ -237,6 +236,30 @@ double open_light(const Ground& ground, std::span<const GroundLamp> lamps) noexc
         sum += lamp.intensity * least;
     }
     return sum;
+}
+
+// Returns the ambient light of open ground.
+double open_ambient(const Ground& ground) noexcept {
+    const hrbfnpr_style& base = ground.style.base;
+    const auto up = glm::normalize(glm::dvec3(base.ambient_up[0], base.ambient_up[1], base.ambient_up[2]));
+    const double sky = 0.5 * (1.0 + glm::dot(up, ground.plane.up));
+    return sky * static_cast<double>(base.ambient_sky) + (1.0 - sky) * static_cast<double>(base.ambient_ground);
+}
+
+// Makes ambient light if the style has none, so that the ground is darker beside the object. Strong ambient light is
+// made weaker, because shadows would be pale.
+void set_ambient_of_ground(std::span<const GroundLamp> lamps, Ground& ground) noexcept {
+    hrbfnpr_style& base = ground.style.base;
+    const double direct = open_light(ground, lamps);
+    const double wanted = ground_tuning.ambient * (direct > 0.0 ? direct : 1.0);
+    const double given = open_ambient(ground);
+    if (!(given > 0.0)) {
+        base.ambient_sky = static_cast<float>(wanted);
+        for (int axis = 0; axis < 3; ++axis) base.ambient_up[axis] = ground.plane.up[axis];
+    } else if (given > wanted) {
+        base.ambient_sky *= static_cast<float>(wanted / given);
+        base.ambient_ground *= static_cast<float>(wanted / given);
+    }
 }
 
 // The hatching of a style that draws no marks.
@@ -355,7 +378,7 @@ PointSet place_marks_of(const Call& call, const GroundPlan& plan, Ground& ground
         layer.direction_user = &ground.along;
     }
     layer.tone_smoothing = 0.0;
-    size_layer(plan, ground, from, layer, plan.is_still && !is_still);
+    size_layer(plan, ground, from, layer, !is_still);
     call.options.changes.apply("marks.ground", layer);
     marks.layers.push_back(layer);
     StillDrawing still{defaults<hrbfnpr_item>(hrbfnpr_item_init), plan.camera};
@@ -430,16 +453,13 @@ bool sees_ground(const hrbfnpr_camera& camera, const GroundPlane& plane) noexcep
 
 void set_ground_light(const hrbfnpr_camera& camera, Ground& ground) {
     hrbfnpr_style& base = ground.style.base;
-    const auto up = glm::normalize(glm::dvec3(base.ambient_up[0], base.ambient_up[1], base.ambient_up[2]));
-    const double sky = 0.5 * (1.0 + glm::dot(up, ground.plane.up));
     std::array<GroundLamp, 8> lamps{};
     const std::size_t count = std::min(lamps.size(), ground.style.lights.size());
     for (std::size_t i = 0; i < count; ++i) lamps[i] = lamp_in_world(ground.style.lights[i], camera);
-    const double open = open_light(ground, std::span(lamps).first(count)) +
-                        sky * static_cast<double>(base.ambient_sky) +
-                        (1.0 - sky) * static_cast<double>(base.ambient_ground);
+    const double open = open_light(ground, std::span(lamps).first(count)) + open_ambient(ground);
     base.tone_white =
         static_cast<float>(std::clamp(open * (1.0 - ground_tuning.white_share), ground_tuning.least_light, 16.0));
+    base.tone_black = std::min(ground.black, ground_tuning.most_black * base.tone_white);
     ground.style_view = ground.style.view();
 }
 
@@ -450,13 +470,9 @@ void place_ground(const Call& call, const GroundPlan& plan, Ground& ground) {
             ground.plane.height = lowest_along(ground.plane.up, plan.surface) - ground_tuning.sink * ground.diagonal;
     }
     ground.style = Style(plan.style);
+    ground.black = plan.style.base.tone_black;
     light_ground(ground.style);
-    hrbfnpr_style& base = ground.style.base;
-    if (!(base.ambient_sky > 0.0F) && !(base.ambient_ground > 0.0F)) {
-        const Vector<GroundLamp> lamps = lamps_of(ground.style, plan.camera, call.pool);
-        base.ambient_sky = static_cast<float>(ground_tuning.ambient * std::max(open_light(ground, lamps), 0.1));
-        for (int axis = 0; axis < 3; ++axis) base.ambient_up[axis] = ground.plane.up[axis];
-    }
+    set_ambient_of_ground(lamps_of(ground.style, plan.camera, call.pool), ground);
     find_dark_part(call, plan, ground);
     ground.style.lines.clear();
     ground.style.layers.clear();

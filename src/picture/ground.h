@@ -29,6 +29,7 @@ struct Ground {
     GroundPlane plane;
     Style style; // the lights, and after place_ground() the layer "ground", too
     hrbfnpr_style style_view{};
+    float black = 0.0F;                // the light that the picture's style draws as black
     double diagonal = 0.0;             // the diagonal of the object's box
     std::array<glm::dvec3, 4> corners; // the corners of the rectangle that has marks
     glm::dvec3 along{1.0, 0.0, 0.0};   // the direction of hatching

@@ -19,11 +19,11 @@ struct LayerUse {
     const char* hrbfnpr_layer_style::*name;
     FieldUse use;
 };
-constexpr std::array layer_uses{LayerUse{&hrbfnpr_layer_style::density_field, FieldUse::number},
-                                LayerUse{&hrbfnpr_layer_style::tone_field, FieldUse::number},
-                                LayerUse{&hrbfnpr_layer_style::width_field, FieldUse::number},
-                                LayerUse{&hrbfnpr_layer_style::ink_field, FieldUse::colour},
-                                LayerUse{&hrbfnpr_layer_style::mask_field, FieldUse::number}};
+constexpr LayerUse layer_uses[] = {LayerUse{&hrbfnpr_layer_style::density_field, FieldUse::number},
+                                   LayerUse{&hrbfnpr_layer_style::tone_field, FieldUse::number},
+                                   LayerUse{&hrbfnpr_layer_style::width_field, FieldUse::number},
+                                   LayerUse{&hrbfnpr_layer_style::ink_field, FieldUse::colour},
+                                   LayerUse{&hrbfnpr_layer_style::mask_field, FieldUse::number}};
 
 bool paints_tone(const Options& options) noexcept {
     return std::any_of(options.dabs.begin(), options.dabs.end(),
@@ -88,7 +88,7 @@ Field empty_field(const Call& call, FieldUse use) {
 bool uses_fields(const Options& options, const Style& style) noexcept {
     if (paints_tone(options)) return true;
     return std::any_of(style.layers.begin(), style.layers.end(), [](const hrbfnpr_layer_style& layer) {
-        return std::any_of(layer_uses.begin(), layer_uses.end(),
+        return std::any_of(std::begin(layer_uses), std::end(layer_uses),
                            [&](const LayerUse& use) { return layer.*(use.name) != nullptr; });
     });
 }

@@ -36,13 +36,13 @@ private:
 };
 
 // The texts of elements of lists. They point to kept texts.
-inline constexpr std::array layer_style_texts{&hrbfnpr_layer_style::name,       &hrbfnpr_layer_style::density_field,
-                                              &hrbfnpr_layer_style::tone_field, &hrbfnpr_layer_style::width_field,
-                                              &hrbfnpr_layer_style::ink_field,  &hrbfnpr_layer_style::mask_field};
+inline constexpr const char* hrbfnpr_layer_style::*layer_style_texts[] = {
+    &hrbfnpr_layer_style::name,        &hrbfnpr_layer_style::density_field, &hrbfnpr_layer_style::tone_field,
+    &hrbfnpr_layer_style::width_field, &hrbfnpr_layer_style::ink_field,     &hrbfnpr_layer_style::mask_field};
 [[nodiscard]] constexpr const auto& texts_of(const hrbfnpr_layer_style&) noexcept { return layer_style_texts; }
-inline constexpr std::array line_style_texts{&hrbfnpr_line_style::name};
+inline constexpr const char* hrbfnpr_line_style::*line_style_texts[] = {&hrbfnpr_line_style::name};
 [[nodiscard]] constexpr const auto& texts_of(const hrbfnpr_line_style&) noexcept { return line_style_texts; }
-inline constexpr std::array layer_desc_texts{&hrbfnpr_layer_desc::name};
+inline constexpr const char* hrbfnpr_layer_desc::*layer_desc_texts[] = {&hrbfnpr_layer_desc::name};
 [[nodiscard]] constexpr const auto& texts_of(const hrbfnpr_layer_desc&) noexcept { return layer_desc_texts; }
 
 // An hrbfnpr_style that owns its layers, lines, lights, inks, texts and levels. It corresponds to the class Style in

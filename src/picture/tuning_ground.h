@@ -19,9 +19,12 @@ struct GroundTuning {
     double lowest_light = 0.02;
     // The box of the ground is this high. Larger: less exact positions of marks.
     double thickness = 0.01;
-    // The ambient light of the ground, in shares of all other light, if the style has none. Larger: shadows that are
-    // paler, and darker beside the object than elsewhere.
+    // The ambient light of the ground, in shares of all other light, if the style has none, and at most. Larger:
+    // shadows that are paler, and darker beside the object than elsewhere.
     double ambient = 0.3;
+    // The ground draws light as black as the picture does, up to this share of the light of open ground. Larger:
+    // shadows may be darker.
+    float most_black = 0.5F;
     // The light of open ground is at least this, so that the ground is white if all lights are below it. Larger: dim
     // grounds are grey.
     double least_light = 1e-3;

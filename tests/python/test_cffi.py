@@ -134,11 +134,12 @@ def test_style_has_every_field_of_its_struct():
         names = {name for name, _ in ffi.typeof(struct).fields} - {"struct_size"}
         return {name for name in names if not name.startswith("reserved")}
 
-    assert {*hrbfnpr.LayerStyle.fields(), "name"} == fields("hrbfnpr_layer_style")
+    names = {"name", "density_field", "tone_field", "width_field", "ink_field", "mask_field"}
+    assert {*hrbfnpr.LayerStyle.fields(), *names} == fields("hrbfnpr_layer_style")
     assert {*hrbfnpr.LineStyle.fields(), "name", "levels"} == fields("hrbfnpr_line_style")
     theirs = fields("hrbfnpr_style") - {"tone_function", "tone_user", "layers", "layer_count", "layer_stride"}
-    theirs -= {"lines", "line_count", "line_stride", "light_count", "light_stride"}
-    assert {*hrbfnpr.Style.fields(), "tone", "lights"} == theirs
+    theirs -= {"lines", "line_count", "line_stride", "light_count", "light_stride", "palette_count"}
+    assert {*hrbfnpr.Style.fields(), "tone", "lights", "palette"} == theirs
 
 
 @pytest.mark.parametrize(

@@ -148,5 +148,5 @@ def test_settings_keep_the_ground(tmp_path, monkeypatch):
 
 def test_sky_is_up():
     for up, sky in (("z", (0, 0, 1)), ("-y", (0, -1, 0))):
-        assert drawn("silhouette", up=up, occlusion=0.5, ground=None).style.ambient_up == sky
+        assert drawn("silhouette", up=up, set={"ambient_sky": 0.5}, ground=None).style.ambient_up == sky
     assert drawn("silhouette", up="z", occlusion=0.5, ground=None, set={"ambient_up": "1,0,0"}).style.ambient_up == (1, 0, 0)

@@ -69,7 +69,7 @@ void add_lamp(const LightStyle& light, LightSpace to, const LitSpace& space, con
     return std::min(std::floor(tau * static_cast<float>(s.steps)), last) * (1.0F / last);
 }
 
-// What is left of ambient light and of the light of lamps past occlusion.
+// The shares of ambient light and of the light of lamps that occlusion leaves.
 struct LeftOfLight {
     float ambient, lamps;
 };
