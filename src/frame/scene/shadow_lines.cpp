@@ -4,6 +4,8 @@
 #include "base/assert.h"
 #include "features/contours.h"
 #include "frame/scene/tuning.h"
+#include "geometry/point_grid.h"
+#include "geometry/segment.h"
 #include "geometry/tangent_frame.h"
 
 #include <glm/matrix.hpp>
@@ -557,16 +559,25 @@ struct ShadowLines {
     curves::SurfaceLines borders, terminators;
 };
 
-// Returns for each border, and then for each terminator, the length of all lines that are joined with it, end to end.
-// Ends within the distance `reach` are joined.
-[[nodiscard]] base::Array<double> joined_lengths(const ShadowLines& lines, double reach) {
+// Returns for each border, and then for each terminator, the length of all lines that are joined with it: an end of one
+// is within the distance `reach` of the other. Points of a line are at most `longest` apart, or not joined.
+[[nodiscard]] base::Array<double> joined_lengths(const ShadowLines& lines, double reach, double longest) {
     base::Memory& memory = lines.borders.strength.memory();
-    geometry::VecArray ends(memory);
+    geometry::VecArray ends(memory), from(memory), to(memory), middle(memory);
+    base::Array<std::int64_t> line_of_piece(memory);
     base::Array<double> own(memory);
     for (const curves::Curves* const curves : {&lines.borders.curves, &lines.terminators.curves})
         for (std::int64_t l = 0; l < curves->count(); ++l) {
             ends.push_back(curves->point[curves->first[l]].position);
             ends.push_back(curves->point[curves->first[l + 1] - 1].position);
+            for (std::int64_t i = curves->first[l]; i < curves->first[l + 1]; ++i) {
+                const std::int64_t j = curves->next(l, i);
+                if (j < 0) continue;
+                from.push_back(curves->point[i].position);
+                to.push_back(curves->point[j].position);
+                middle.push_back(0.5 * (curves->point[i].position + curves->point[j].position));
+                line_of_piece.push_back(own.size());
+            }
             own.push_back(length_of(*curves, l));
         }
     // For each line: a line of the same group with a lower number, or the line itself.
@@ -576,13 +587,13 @@ struct ShadowLines {
         while (group[line] != line) line = group[line];
         return line;
     };
-    const geometry::PointGrid grid(ends, reach);
+    const geometry::PointGrid grid(middle, reach + 0.5 * longest);
     for (std::int64_t e = 0; e < ends.size(); ++e)
         grid.around(ends[e], [&](std::int64_t at) {
-            const std::int64_t other = grid.index(at);
-            if (glm::distance(ends[other], ends[e]) > reach) return;
+            const std::int64_t piece = grid.index(at);
+            if (geometry::distance_to_segment(ends[e], from[piece], to[piece]) > reach) return;
             const std::int64_t a = root(e / 2);
-            const std::int64_t b = root(other / 2);
+            const std::int64_t b = root(line_of_piece[piece]);
             group[std::max(a, b)] = std::min(a, b);
         });
     base::Array<double> total(memory, own.size());
@@ -630,8 +641,10 @@ base::List<curves::FoundLines> find_shadow_lines(const base::Work& work, const C
             if (number == all.number) add_terminators(sections, all.receiver, light.shadow, lines.terminators);
         }
     }
+    const double side = item.lines->mesh().side;
     const double shortest = scene_tuning.shortest_shadow * casters.diagonal / mean_scale(item.to_world);
-    const base::Array<double> length = joined_lengths(lines, scene_tuning.border_gap * item.lines->mesh().side);
+    const base::Array<double> length =
+        joined_lengths(lines, scene_tuning.border_gap * side, scene_tuning.longest_border * side);
     base::List<curves::FoundLines> found(work.memory);
     for (const bool cast : {true, false}) {
         curves::FoundLines& of_kind = found.add(curves::FoundLines(work.memory));
