@@ -46,6 +46,9 @@ SourceField read_source_field(const hrbfnpr_source_field& given, std::size_t poi
     char name[128];
     std::snprintf(name, sizeof name, "%.110s.values", owner);
     const auto components = static_cast<std::uint32_t>(field.components());
+    if (given.values.count > 0 && given.values.components != components)
+        fail(Status::invalid_argument, "%s.kind is %u, which needs %u components; values.components is %u", owner,
+             given.kind, components, given.values.components);
     const base::InView view = api::in_view(given.values, name, {components, value_types});
     if (view.count != static_cast<std::int64_t>(points))
         fail(Status::invalid_argument, "%s has %lld elements and there are %zu points; give one for each", name,
