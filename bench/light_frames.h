@@ -263,14 +263,12 @@ public:
             report(name, median(ratios));
             std::fflush(stdout);
         };
-        // The tones are about as dark as those of the plain frames.
-        lights_[0] = light_from({-0.4, 0.6, 0.7}, 1.0F, 0.05F, 0.8F);
-        style_.curvature_contrast = 0.2F;
-        style_.tone_white = 1.2F;
+        // All terms are weak, so that the tones and the marks are those of the plain frames.
+        lights_[0] = light_from({-0.4, 0.6, 0.7}, 0.001F, 0.05F);
+        style_.curvature_contrast = style_.ambient_sky = 0.001F;
         const Shading baked = shaded(context_, occluders_, item_);
         ratio("light.frame.baked.ratio", baked.get());
         style_.curvature_contrast = style_.ambient_sky = 0.0F;
-        style_.tone_white = 1.0F;
         lights_[0] = light_from({-0.4, 0.6, 0.7}, 0.0F, 0.0F, 0.8F);
         lights_[1] = light_from({0.8, 0.2, 0.3}, 0.0F, 0.0F, 0.1F);
         lights_[2] = light_from({0.1, -0.8, 0.5}, 0.0F, 0.0F, 0.1F);
