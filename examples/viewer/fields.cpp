@@ -71,8 +71,9 @@ bool is_plain(const std::string& type) {
 }
 
 bool is_ours(const std::string& name) { // false for the fields that only describe the struct's layout
-    static const std::set<std::string> not_settings = {"struct_size",  "flags",        "layer_count", "light_count",
-                                                       "light_stride", "layer_stride", "line_count",  "line_stride"};
+    static const std::set<std::string> not_settings = {"struct_size", "flags",        "layer_count",
+                                                       "light_count", "light_stride", "layer_stride",
+                                                       "line_count",  "line_stride",  "palette_count"};
     return not_settings.count(name) == 0 && name.rfind("reserved", 0) != 0;
 }
 
