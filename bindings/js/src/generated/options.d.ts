@@ -2275,8 +2275,8 @@ export interface SourceField {
   /** name for styles; UTF-8, 1 to 63 bytes, copied; not NULL */
   name?: string;
   /**
-   * values, one for each point; n x 1 (SCALAR) or n x 3, FLOAT32, FLOAT64 or UINT8; UINT8 colours are 0 .. 255. A
-   * point with a value that is not finite has none
+   * values, one for each point; n x 1 (SCALAR) or n x 3, FLOAT32, FLOAT64 or UINT8. Colours of UINT8 are 0 .. 255.
+   * A point with a value that is not finite has none
    */
   values?: ArrayInput;
 }
@@ -2338,8 +2338,7 @@ export interface PictureSource {
  *    style.layers.F     the same for all layers of the style; share is multiplied
  *    style.lines.F      a field of hrbfnpr_line_style, for all lines
  *    style.LINE.F       the same for one kind of lines: style.ridge.width
- *    style.palette      inks for ink fields, #rrggbb with commas between; empty = three inks are chosen from the
- * colours
+ *    style.palette      inks for ink fields, #rrggbb with commas between; empty = up to three, from the colours
  *    style.field        what fields of the source change, as USE=NAME with commas between:
  * "tone=quality,ink=rgb".  USE
  *                       is tone, density, width, ink, mask or direction.  The first five set

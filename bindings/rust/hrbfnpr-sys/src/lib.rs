@@ -5353,8 +5353,8 @@ pub struct hrbfnpr_source_field {
     pub kind: u32,
     /// name for styles; UTF-8, 1 to 63 bytes, copied; not NULL
     pub name: *const c_char,
-    /// values, one for each point; n x 1 (SCALAR) or n x 3, FLOAT32, FLOAT64 or UINT8; UINT8
-    /// colours are 0 .. 255. A point with a value that is not finite has none
+    /// values, one for each point; n x 1 (SCALAR) or n x 3, FLOAT32, FLOAT64 or UINT8. Colours of
+    /// UINT8 are 0 .. 255. A point with a value that is not finite has none
     pub values: hrbfnpr_array,
 }
 
@@ -5500,8 +5500,8 @@ pub const HRBFNPR_WORDING_ARGUMENTS: u32 = 2;
 ///    style.layers.F     the same for all layers of the style; share is multiplied
 ///    style.lines.F      a field of hrbfnpr_line_style, for all lines
 ///    style.LINE.F       the same for one kind of lines: style.ridge.width
-///    style.palette      inks for ink fields, #rrggbb with commas between; empty = three inks
-/// are chosen from the colours
+///    style.palette      inks for ink fields, #rrggbb with commas between; empty = up to
+/// three, from the colours
 ///    style.field        what fields of the source change, as USE=NAME with commas between:
 /// "tone=quality,ink=rgb".  USE
 ///                       is tone, density, width, ink, mask or direction.  The first five set
