@@ -3915,7 +3915,8 @@ enum {
     HRBFNPR_NOTE_SEVERAL_PARTS = 75,          /* a mesh has several parts [parts] */
     HRBFNPR_NOTE_NOT_USABLE = 76,             /* a source cannot be drawn; the text says why [] */
     HRBFNPR_NOTE_NO_GROUND = 77,              /* no ground is drawn; the text says why [] */
-    HRBFNPR_NOTE_PALETTE_CHOSEN = 78          /* inks are chosen from the colours of the source [inks] */
+    HRBFNPR_NOTE_PALETTE_CHOSEN = 78,         /* inks are chosen from the colours of the source [inks] */
+    HRBFNPR_NOTE_NO_SHADOWS = 79              /* borders of shadows are to be drawn, and no light casts shadows [] */
 };
 
 /* A note: something that was chosen, repaired, left out or measured, or that may be wrong. */

@@ -597,7 +597,7 @@ enum { HRBFNPR_NOTE_FACES_NOT_FINITE = 1, HRBFNPR_NOTE_NO_DATA = 2, HRBFNPR_NOTE
     HRBFNPR_NOTE_AT_ONE_PLACE = 69, HRBFNPR_NOTE_FAR_FROM_ORIGIN = 70, HRBFNPR_NOTE_VERTICES_JOINED = 71,
     HRBFNPR_NOTE_VERTICES_UNUSED = 72, HRBFNPR_NOTE_NONMANIFOLD_EDGES = 73, HRBFNPR_NOTE_MESH_OPEN = 74,
     HRBFNPR_NOTE_SEVERAL_PARTS = 75, HRBFNPR_NOTE_NOT_USABLE = 76, HRBFNPR_NOTE_NO_GROUND = 77,
-    HRBFNPR_NOTE_PALETTE_CHOSEN = 78 };
+    HRBFNPR_NOTE_PALETTE_CHOSEN = 78, HRBFNPR_NOTE_NO_SHADOWS = 79 };
 typedef struct hrbfnpr_note { uint32_t struct_size; uint32_t code; uint32_t severity; uint32_t figure_count;
     double figures[8]; const char* text; const char* advice; const char* detail; } hrbfnpr_note;
 hrbfnpr_status hrbfnpr_note_init(hrbfnpr_note* note, uint32_t struct_size);

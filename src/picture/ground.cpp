@@ -133,6 +133,15 @@ Model model_of_plane(const Call& call, const Ground& ground) {
     }
 }
 
+// Makes the line set on which borders of shadows lie.
+LineSet lines_of_plane(const Call& call, const Ground& ground) {
+    auto desc = defaults<hrbfnpr_line_set_desc>(hrbfnpr_line_set_desc_init);
+    desc.cell_size = glm::length(ground.corners[2] - ground.corners[0]) / ground_tuning.cells;
+    return make<LineSet>([&](hrbfnpr_line_set** made, hrbfnpr_error* error) {
+        return hrbfnpr_line_set_create(&call.context, ground.model.get(), &desc, nullptr, made, error);
+    });
+}
+
 // ---- Lights
 
 // A light in world space: the direction to it, or its place.
@@ -474,7 +483,8 @@ void place_ground(const Call& call, const GroundPlan& plan, Ground& ground) {
     light_ground(ground.style);
     set_ambient_of_ground(lamps_of(ground.style, plan.camera, call.pool), ground);
     find_dark_part(call, plan, ground);
-    ground.style.lines.clear();
+    std::erase_if(ground.style.lines,
+                  [](const hrbfnpr_line_style& line) { return line.kind != HRBFNPR_LINE_KIND_SHADOW; });
     ground.style.layers.clear();
     ground.style.layers.push_back(layer_of_ground(plan).style);
     ground.style.layers.front().name = ground.style.keep(ground_name);
@@ -482,6 +492,7 @@ void place_ground(const Call& call, const GroundPlan& plan, Ground& ground) {
     const glm::dvec3 right = glm::dvec3(glm::transpose(view_of_camera(plan.camera))[0]);
     ground.along = glm::normalize(right - glm::dot(right, ground.plane.up) * ground.plane.up);
     ground.model = model_of_plane(call, ground);
+    if (!ground.style.lines.empty()) ground.lines = lines_of_plane(call, ground);
     set_ground_light(plan.camera, ground);
     ground.marks = place_marks_of(call, plan, ground, plan.is_still);
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "picture/call.h"
+#include "picture/handles.h"
 #include "picture/look.h"
 #include "picture/plan.h"
 #include "picture/style.h"
@@ -34,6 +35,7 @@ struct Ground {
     std::array<glm::dvec3, 4> corners; // the corners of the rectangle that has marks
     glm::dvec3 along{1.0, 0.0, 0.0};   // the direction of hatching
     Model model;
+    LineSet lines;  // null, unless the style draws borders of shadows
     PointSet marks; // For a still picture, only the marks that the planned camera needs.
     PointSet whole; // All marks of a still picture, once another camera needed them; else null.
 };

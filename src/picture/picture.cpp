@@ -322,6 +322,21 @@ void plan_ground(hrbfnpr_picture& picture, const Call& call, bool has_end) {
     picture.ground.emplace(ground_of(picture.options, style, surfaces.up, surfaces.places));
 }
 
+// Lets an object of lines alone hide the ground, as a ground that shows faintly through it looks like stains. The
+// caller or the settings may say otherwise.
+void hide_ground(hrbfnpr_picture& picture) {
+    const Options& options = picture.options;
+    if (!picture.ground || options.changes.has("style.hidden_lines") || options.style ||
+        options.takes_style_of_settings)
+        return;
+    Style& style = *picture.style;
+    const bool has_marks =
+        style.layers.empty() || std::any_of(style.layers.begin(), style.layers.end(),
+                                            [](const hrbfnpr_layer_style& layer) { return layer.shown != 0; });
+    if (!has_marks && style.base.hidden_lines == HRBFNPR_HIDDEN_LINES_ATTENUATE)
+        style.base.hidden_lines = HRBFNPR_HIDDEN_LINES_HIDE;
+}
+
 // Returns the vertices of the meshes that cast shadows.
 Points casting_places(const hrbfnpr_picture& picture) {
     Points places(&picture.pool);
@@ -390,6 +405,13 @@ void plan_point_set(hrbfnpr_picture& picture, const Call& call) {
     give_fields(picture, call);
 }
 
+// Tells the caller if borders of shadows are asked for, and there are no shadows.
+void note_missing_shadows(const hrbfnpr_picture& picture, const Call& call) {
+    if (picture.ground || !draws_shadow_lines(*picture.style) || needs_cast_shadows(*picture.style)) return;
+    call.report.note(HRBFNPR_NOTE_NO_SHADOWS, {},
+                     "no borders of shadows are drawn: no light casts shadows; give it {shadow=1}");
+}
+
 void plan_surfaces(hrbfnpr_picture& picture, const Call& call) {
     const Surfaces& surfaces = picture.surfaces();
     const bool has_end = std::any_of(surfaces.list.begin(), surfaces.list.end(),
@@ -401,6 +423,7 @@ void plan_surfaces(hrbfnpr_picture& picture, const Call& call) {
     picture.style.emplace(plan_style(call, camera.viewport[2], camera.viewport[3], has_end));
     resolve_fields(picture, call);
     set_sky(picture);
+    hide_ground(picture);
     for (const Surface& surface : surfaces.list) {
         Part& part = picture.parts.emplace_back();
         part.marks = surface.marks;
@@ -418,6 +441,7 @@ void plan_surfaces(hrbfnpr_picture& picture, const Call& call) {
     give_fields(picture, call);
     trace_all_lines(picture, call);
     make_ground(picture, call);
+    note_missing_shadows(picture, call);
 }
 
 void plan(hrbfnpr_picture& picture) {
@@ -485,6 +509,7 @@ hrbfnpr_item item_of_ground(const Ground& ground, bool with_all_marks) {
     auto item = defaults<hrbfnpr_item>(hrbfnpr_item_init);
     item.point_set = with_all_marks ? ground.whole.get() : ground.marks.get();
     item.style = &ground.style_view;
+    item.line_set = ground.lines.get();
     return item;
 }
 

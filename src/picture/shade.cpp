@@ -35,11 +35,19 @@ bool needs_occlusion(const hrbfnpr_style& style) noexcept {
     return style.occlusion_lights > 0.0F || (style.occlusion > 0.0F && has_ambient_light);
 }
 
+bool needs_cast_shadows(const Style& style) noexcept {
+    return any_light(style, [](float shadow, std::uint32_t) { return shadow > 0.0F; });
+}
+
+bool draws_shadow_lines(const Style& style) noexcept {
+    return std::any_of(style.lines.begin(), style.lines.end(), is_shadow_line);
+}
+
 bool needs_shading(const Style& style) noexcept {
     const hrbfnpr_style& base = style.base;
     if (base.visibility == HRBFNPR_VISIBILITY_PUBLISHED) return false;
-    const bool has_shadows = any_light(style, [](float shadow, std::uint32_t) { return shadow > 0.0F; });
-    if (has_shadows && std::any_of(style.lines.begin(), style.lines.end(), is_shadow_line)) return true;
+    const bool has_shadows = needs_cast_shadows(style);
+    if (has_shadows && draws_shadow_lines(style)) return true;
     return base.tone == HRBFNPR_TONE_LIGHT && (needs_occlusion(base) || base.curvature_contrast > 0.0F || has_shadows);
 }
 

@@ -13,6 +13,10 @@ namespace hrbfnpr::picture {
 
 // Tells whether a style is darker where less of the sky is seen.
 [[nodiscard]] bool needs_occlusion(const hrbfnpr_style& style) noexcept;
+// Tells whether a light of a style casts shadows.
+[[nodiscard]] bool needs_cast_shadows(const Style& style) noexcept;
+// Tells whether a style lists lines at borders of shadows.
+[[nodiscard]] bool draws_shadow_lines(const Style& style) noexcept;
 // Tells whether a style needs occlusion, cast shadows, or the borders of shadows.
 [[nodiscard]] bool needs_shading(const Style& style) noexcept;
 

@@ -42,6 +42,9 @@ struct GroundTuning {
     double step = 2.5;
     // The number of places on the rim of the ground that lie between the planes of the camera.
     int rim = 16;
+    // The number of cells along the diagonal of the ground's mesh, on which borders of shadows are drawn. Larger: more
+    // time.
+    double cells = 100.0;
 };
 inline constexpr GroundTuning ground_tuning;
 

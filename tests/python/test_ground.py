@@ -150,3 +150,28 @@ def test_sky_is_up():
     for up, sky in (("z", (0, 0, 1)), ("-y", (0, -1, 0))):
         assert drawn("silhouette", up=up, set={"ambient_sky": 0.5}, ground=None).style.ambient_up == sky
     assert drawn("silhouette", up="z", occlusion=0.5, ground=None, set={"ambient_up": "1,0,0"}).style.ambient_up == (1, 0, 0)
+
+
+def test_borders_of_the_shadow_are_lines_on_the_ground():
+    plain = {**PLAIN, "set": {"occlusion": 0, "ground.shown": 0}}
+    picture = drawn("silhouette", lines=["contour", "shadow"], hidden="none", **plain)
+    near, along = rays(picture)
+    on_ground = near + along * ((-1 - near[..., 1]) / along[..., 1])[..., None]
+    shadow = np.linalg.norm(np.cross(on_ground, LIGHT / np.linalg.norm(LIGHT)), axis=-1) < 1
+    is_ball = grown(distance_from_ball(near, along) < 1, 4)  # with its contour
+    ink = picture.image[..., 0] < 200
+    assert not (ink & ~is_ball & ~(grown(shadow, 2) & grown(~shadow, 2))).any()
+    border = grown(shadow, 1) & ~shadow & ~is_ball
+    assert grown(ink, 2)[border].mean() > 0.97 and border.sum() > 100
+
+
+def test_missing_shadows_are_noted():
+    asked = {"ground": None, "lines": ["contour", "shadow"]}
+    assert "no_shadows" in {note.code for note in drawn("silhouette", **asked, shadow=0).notes}
+    assert "no_shadows" not in {note.code for note in drawn("silhouette", **asked).notes}
+
+
+def test_object_of_lines_hides_the_ground():
+    assert drawn("silhouette").style.hidden_lines == "hide"
+    assert drawn("silhouette", ground=None).style.hidden_lines == drawn("silhouette", hidden_lines="attenuate").style.hidden_lines
+    assert drawn("silhouette", hidden_lines="attenuate").style.hidden_lines == "attenuate"

@@ -352,6 +352,8 @@ namespace HrbfNpr
         NoGround = 77,
         /// <summary>Inks are chosen from the colours of the source [inks].</summary>
         PaletteChosen = 78,
+        /// <summary>Borders of shadows are to be drawn, and no light casts shadows.</summary>
+        NoShadows = 79,
     }
 
     /// <summary>Where views stand [ISO 5456-2].</summary>

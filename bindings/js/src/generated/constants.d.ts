@@ -1527,6 +1527,8 @@ export declare const NOTE: {
   readonly NO_GROUND: 77;
   /** inks are chosen from the colours of the source [inks] */
   readonly PALETTE_CHOSEN: 78;
+  /** borders of shadows are to be drawn, and no light casts shadows [] */
+  readonly NO_SHADOWS: 79;
 };
 /** The constants of NOTE, as options spell them. */
 export type NoteName = "faces-not-finite" | "no-data" | "strays" | "some-oriented" | "normals-made" |
@@ -1541,7 +1543,7 @@ export type NoteName = "faces-not-finite" | "no-data" | "strays" | "some-oriente
   "lines-end" | "lines-broken" | "lines-doubted" | "lines-tangled" | "blank" | "pens" | "plotted" | "not-in-settings"
   | "unit-is-metre" | "no-symmetry" | "section-open" | "normals-not-unit" | "at-one-place" | "far-from-origin" |
   "vertices-joined" | "vertices-unused" | "nonmanifold-edges" | "mesh-open" | "several-parts" | "not-usable" |
-  "no-ground" | "palette-chosen";
+  "no-ground" | "palette-chosen" | "no-shadows";
 
 /** The kind of a source. */
 export declare const SOURCE_KIND: {

@@ -5737,6 +5737,8 @@ pub const HRBFNPR_NOTE_NOT_USABLE: u32 = 76;
 pub const HRBFNPR_NOTE_NO_GROUND: u32 = 77;
 /// inks are chosen from the colours of the source [inks]
 pub const HRBFNPR_NOTE_PALETTE_CHOSEN: u32 = 78;
+/// borders of shadows are to be drawn, and no light casts shadows []
+pub const HRBFNPR_NOTE_NO_SHADOWS: u32 = 79;
 
 /// A note: something that was chosen, repaired, left out or measured, or that may be wrong.
 #[repr(C)]
