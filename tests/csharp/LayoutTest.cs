@@ -78,7 +78,8 @@ namespace HrbfNpr.Tests
                 // Flags are properties in C#. They are checked below.
                 bool elsewhere = name.Contains("VERSION_") || name.EndsWith("ABI_VERSION")
                     || name.StartsWith("HRBFNPR_CUSTOM_") || name.StartsWith("HRBFNPR_LAYER_WITH_")
-                    || name.StartsWith("HRBFNPR_LINE_SET_WITH_") || name.StartsWith("HRBFNPR_RASTER_")
+                    || name.StartsWith("HRBFNPR_LINE_SET_WITH_")
+                    || name.StartsWith("HRBFNPR_SHADING_WITH_") || name.StartsWith("HRBFNPR_RASTER_")
                     || name == "HRBFNPR_PAGE_IN_PLOT_ORDER" || name == "HRBFNPR_PAGE_WITHOUT_PAPER"
                     || name == "HRBFNPR_PAGE_SINGLE_PASS"
                     || name == "HRBFNPR_INDEX_RESTART" || FlagsOfPictures.Any(flag => name == flag.Item1);
@@ -93,6 +94,7 @@ namespace HrbfNpr.Tests
             Assert.Equal(4L, facts["constant HRBFNPR_CUSTOM_THREAD_SAFE"]);
             Assert.Equal(1L, facts["constant HRBFNPR_LAYER_WITH_CURVATURE"]);
             Assert.Equal(1L, facts["constant HRBFNPR_LINE_SET_WITH_CURVATURE"]);
+            Assert.Equal(1L, facts["constant HRBFNPR_SHADING_WITH_LINES"]);
             Assert.Equal(1L, facts["constant HRBFNPR_RASTER_OVER"]);
             Assert.Equal(2L, facts["constant HRBFNPR_RASTER_LINEAR_LIGHT"]);
             Assert.Equal(unchecked((int)Vertices.Restart), (int)facts["constant HRBFNPR_INDEX_RESTART"]);
@@ -154,7 +156,7 @@ namespace HrbfNpr.Tests
                 "tone_user", "layer_count", "layer_stride", "line_count", "line_stride", "light_count",
                 "light_stride", "palette_count"));
             faults.AddRange(Unseen(typeof(hrbfnpr_light), typeof(Light)));
-            faults.AddRange(Unseen(typeof(hrbfnpr_shading_desc), typeof(ShadingOptions)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_shading_desc), typeof(ShadingOptions), "flags"));
             faults.AddRange(Unseen(typeof(hrbfnpr_layer_pose), typeof(LayerPose)));
             faults.AddRange(Unseen(typeof(hrbfnpr_item), typeof(Item), "pose_count", "pose_stride"));
             faults.AddRange(Unseen(typeof(hrbfnpr_raster_desc), typeof(RasterOptions), "flags"));

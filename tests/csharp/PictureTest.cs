@@ -292,7 +292,7 @@ namespace HrbfNpr.Tests
                 Assert.Equal(expected, Shapes.Draw(renderer, item, painted.Camera));
                 PictureOptions other = Small(Preset.Stipple);
                 other.Style = style;
-                Assert.Contains("Dabs", Assert.Throws<InvalidArgumentException>(
+                Assert.Contains("paint.tone", Assert.Throws<InvalidArgumentException>(
                     () => Picture.Create(source, other)).Message);
             }
             options.Dabs[0].Map = DabMap.Density;

@@ -270,6 +270,12 @@ namespace HrbfNpr
         public float CurvatureContrast { get; set; }
 
         /// <summary>
+        /// Share of the light of all lights and of the fill light that is lost where no sky is seen, 0 to 1; default 0.
+        /// Hollows get darker, and the rest stays as it is.  It has an effect on items with a <see cref="Shading"/>.
+        /// </summary>
+        public float OcclusionLights { get; set; }
+
+        /// <summary>
         /// The function of <see cref="HrbfNpr.Tone.Callback"/>, which runs on the thread that draws; default null.  If
         /// it throws, the drawing throws a <see cref="CallbackException"/>.
         /// </summary>
@@ -427,6 +433,7 @@ namespace HrbfNpr
             style->tone_gamma = ToneGamma;
             style->tone_steps = ToneSteps;
             style->curvature_contrast = CurvatureContrast;
+            style->occlusion_lights = OcclusionLights;
             style->light_space = (uint)LightSpace;
             *(Vector3d*)style->light = Light;
             style->light_intensity = LightIntensity;
@@ -470,6 +477,7 @@ namespace HrbfNpr
             ToneGamma = style->tone_gamma;
             ToneSteps = style->tone_steps;
             CurvatureContrast = style->curvature_contrast;
+            OcclusionLights = style->occlusion_lights;
             LightSpace = (LightSpace)style->light_space;
             Light = *(Vector3d*)style->light;
             LightIntensity = style->light_intensity;

@@ -55,6 +55,14 @@ namespace Xunit
             True(actual.CompareTo(low) >= 0 && actual.CompareTo(high) <= 0, actual + " is not in the range");
         }
 
+        public static void All<T>(IEnumerable<T> items, Action<T> check)
+        {
+            foreach (T item in items)
+            {
+                check(item);
+            }
+        }
+
         public static void NotNull(object value)
         {
             True(value != null, "expected something, not null");
