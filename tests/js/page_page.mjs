@@ -83,7 +83,7 @@ async function styles() {
     const unshaded = (await picture(page)).hash;
     const frames = Number(await told(page, "frames"));
     await set(page, id, 1);
-    await page.waitForFunction((old) => Number(document.documentElement.dataset.frames) > old, frames + 1);
+    await page.waitForFunction((old) => Number(document.documentElement.dataset.frames) > old, frames);
     await settled(page);
     assert.notEqual((await picture(page)).hash, unshaded, id);
   }

@@ -98,7 +98,6 @@ void Stages::add_fields(std::vector<Stage>& stages) {
         if (!owned) return status;
         append(bytes, owned);
         for (const hrbfnpr_mark_field& field : fields) append_values(bytes, owned, field.name);
-        append(bytes, saved(owned));
         return status;
     });
 }
