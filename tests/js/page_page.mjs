@@ -79,6 +79,8 @@ async function styles() {
     if (id !== "hidden") assert.notEqual((await picture(page)).hash, before, id);
   }
   await screenshot(page, "changed");
+  await set(page, "model", "cup"); // whose handle casts a shadow
+  await whole(page, "cup engraving");
   for (const id of ["occlusion", "shadow"]) {
     const unshaded = (await picture(page)).hash;
     const frames = Number(await told(page, "frames"));
@@ -88,6 +90,8 @@ async function styles() {
     assert.notEqual((await picture(page)).hash, unshaded, id);
   }
   await screenshot(page, "shaded");
+  await set(page, "model", "torus");
+  await whole(page, "torus engraving");
   const before = await picture(page);
   await set(page, "angle", 60);
   await page.waitForFunction(() => /angle=60/.test(location.hash));
