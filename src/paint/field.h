@@ -49,7 +49,7 @@ public:
     }
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
-    // Calls write(i, sample) with what the field gives at read(i), a Place, for each i from 0 to count - 1. Both run on
+    // Calls write(i, sample) with the sample at read(i), a Place, for each i from 0 to count - 1. Both run on
     // all threads, except that places of a function are read and written on the calling thread. Throws Error{callback}
     // if the function fails.
     template <class Read, class Write>
@@ -76,7 +76,7 @@ private:
 
     [[nodiscard]] Sample at(const Place& place) const noexcept;
     [[nodiscard]] Sample finished(Sample sample) const noexcept;
-    // Calls the function for the first `count` places of `call`, and checks what it fills.
+    // Calls the function for the first `count` places of `call`, and checks the numbers that it fills in.
     void call_function(const PlaceFunction& function, std::int64_t count, Call& call) const;
     [[nodiscard]] Sample sample_of(const Call& call, std::int64_t i) const noexcept;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A place on a surface, and what a field gives there.
+// A place on a surface, and the sample of a field there.
 #pragma once
 
 #include "geometry/vec.h"

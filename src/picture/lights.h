@@ -16,8 +16,8 @@ namespace hrbfnpr::picture {
 // Tells whether a text is a list of lights, and not only a direction.
 [[nodiscard]] bool is_list_of_lights(std::string_view text) noexcept;
 
-// Reads a list of lights. What a light does not say comes from `first` for the first light, and from `others` for the
-// others. Returns nullopt for a text that is no such list.
+// Reads a list of lights. The fields that a text leaves out come from `first` for the first light, and from `others`
+// for the others. Returns nullopt for a text that is no such list.
 [[nodiscard]] std::optional<Vector<hrbfnpr_light>> read_lights(std::string_view text, const hrbfnpr_light& first,
                                                                const hrbfnpr_light& others, Pool& pool);
 

@@ -14,7 +14,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// The texts of a layer's style that name fields, and what they change.
+// The texts of a layer's style that name fields, and the uses of these fields.
 struct LayerUse {
     const char* hrbfnpr_layer_style::*name;
     FieldUse use;

@@ -134,7 +134,7 @@ void change_all_layers(const Call& call, Style& style) {
     }
 }
 
-// Applies "style.light", which replaces all lights. What it does not say comes from the style's single light.
+// Applies "style.light", which replaces all lights. Fields that it leaves out come from the style's single light.
 void set_lights(const Call& call, Style& style) {
     const std::optional<std::string_view> text = call.options.changes.value("style.light");
     if (!text) return;

@@ -73,7 +73,7 @@ bool is_colour_name(std::string_view name) noexcept {
 std::optional<std::array<double, 2>> parse_range(std::string_view text) noexcept {
     const std::size_t dots = text.find("..");
     if (dots == std::string_view::npos) return std::nullopt;
-    // The dots of "1...5" are those of "1" and ".5", and those of "1..5" of "1" and "5".
+    // If there are three dots in a row, the third one belongs to the second number.
     const std::optional<double> low = parse_number(text.substr(0, dots));
     const std::optional<double> high = parse_number(text.substr(dots + 2));
     if (!low || !high || *low == *high) return std::nullopt;

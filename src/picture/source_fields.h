@@ -46,7 +46,7 @@ struct SourceValues {
 // Marks know the luminance of a colour by the name of the colour after this.
 inline constexpr std::string_view luminance_prefix = "luminance of ";
 
-// What a field changes. It decides which kinds of values a field may have.
+// The use of a field. It decides which kinds of values a field may have.
 enum class FieldUse : std::uint8_t { number, colour, direction };
 
 // A name in a style, taken apart.
@@ -75,8 +75,8 @@ public:
 
     // Adds the values of the next source.
     void add(SourceValues&& values) { sources_.push_back(std::move(values)); }
-    // Finds the values that a text names. Throws Error{invalid_argument} if there are none, with the names of those
-    // that exist, and if their kind does not suit the use.
+    // Finds the values that a text names. Throws Error{invalid_argument} if they do not exist, with the names of those
+    // that do, and if their kind does not suit the use.
     [[nodiscard]] WantedField find(const Call& call, std::string_view text, FieldUse use) const;
     // Makes a field of the values of a source. The result is null if the source has no such values.
     [[nodiscard]] Field make_field(const Call& call, const WantedField& wanted, std::size_t source) const;

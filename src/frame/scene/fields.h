@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the fields of a point set do to the marks of a run. A field gives a mark a value and a weight from 0 to 1. Where
-// a value alone would change x to y, the mark gets x + weight (y - x).
+// The effects of fields on the marks of a run. A field gives a mark a value and a weight from 0 to 1. Where a value
+// alone would change x to y, the mark gets x + weight (y - x).
 //
 // fields_of      a set, a layer and its style → RunFields, which refer to the values of the set
 // effect_on      a mark → FieldEffect

@@ -59,7 +59,7 @@ struct Surroundings {
     const Casters& casters;
     Surface receiver;
     std::int64_t number = -1;      // the receiver's number among the casters, or -1
-    std::optional<Casters> single; // the receiver, if it is none of the casters
+    std::optional<Casters> single; // the receiver, unless it is one of the casters
     geometry::Bounds bounds;       // the box around the receiver in the world
 };
 
@@ -352,7 +352,7 @@ struct Meeting {
     std::optional<Root> near; // the exact place, if the ray meets its own surface near the outline
 };
 
-// `also` is a surface that is none of the casters, or null. Its number is -1. With `closely`, the ray's own surface
+// `also` is a surface apart from the casters, or null. Its number is -1. With `closely`, the ray's own surface
 // near the outline is examined even if the ray does not meet its mesh. Near a cusp a ray enters the surface at a small
 // angle.
 [[nodiscard]] Meeting first_meeting(const Casters& casters, const Casters* also, const TouchingRay& ray, double end,

@@ -104,8 +104,8 @@ struct SceneTuning {
     // A part of a stroke in one ink is at least this many times as long as it is wide. Shorter parts take the ink of a
     // neighbour. Larger: fewer and longer parts, and colours with borders that are less exact.
     float shortest_in_ink = 2.0F;
-    // What the variance of the colours of a mixture of inks costs, where the square of the distance of its mean from
-    // the wanted colour costs 1. Larger: less grain and less exact colours.
+    // The cost of the variance of the colours of a mixture of inks. The square of the distance between its mean and the
+    // wanted colour has the cost 1. Larger: less grain and less exact colours.
     float grain_cost = 1e-4F;
 
     // The least |n . v| that is used where a disc of paper is pushed back. Larger: the paper of a layer hides ink of
