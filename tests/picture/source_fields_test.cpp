@@ -160,6 +160,25 @@ TEST_F(SourceFieldsTest, FieldsInterpolateBetweenCorners) {
     EXPECT_NEAR(value_at(light, {0.0, 2.0, 0.0}), 0.2126 * 0.2 + 0.7152 * 0.4 + 0.0722 * 0.6, 1e-6);
 }
 
+TEST_F(SourceFieldsTest, TrianglesWithACornerWithoutAValueAreLeftOut) {
+    Shape shape = square();
+    shape.points.push_back({4, 0, 0});
+    shape.points.push_back({4, 2, 0});
+    shape.triangles.push_back({4, 5, 3}); // The corner 3 has no number.
+    quality.insert(quality.end(), {3.0, 3.0});
+    auto field = defaults<hrbfnpr_source_field>(hrbfnpr_source_field_init);
+    field.name = "quality";
+    field.values = {quality.data(), 6, 0, HRBFNPR_SCALAR_FLOAT64, 1};
+    auto source = defaults<hrbfnpr_picture_source>(hrbfnpr_picture_source_init);
+    source.fields = &field;
+    source.field_count = 1;
+    SourceFields sources(call.pool);
+    sources.add(read_source_values(source, shape, "picture_source", call.pool));
+    const Field made = sources.make_field(call, sources.find(call, "quality", FieldUse::number), 0);
+    // The nearest place of the triangle 0, 1, 2 is (2, 1), with the value 4.
+    EXPECT_NEAR(value_at(made, {3.5, 1.0, 0.0}), (4.0 - 1.0) / 4.0, 1e-6);
+}
+
 TEST_F(SourceFieldsTest, PointsWithoutAPlaceAreLeftOut) {
     SourceValues values = read(two_fields());
     values.triangles.clear();
