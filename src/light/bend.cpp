@@ -6,10 +6,8 @@
 // 1. patches_of: triangles → patches of the triangles in each cell of a grid
 // 2. curvature_at: a place → the means over the patches around it
 #include "base/assert.h"
-#include "base/sort_on_threads.h"
-#include "geometry/cell_grid.h"
+#include "light/cell_sort.h"
 #include "light/light.h"
-#include "light/sides.h"
 #include "light/tuning.h"
 
 #include <algorithm>
@@ -23,20 +21,6 @@ using geometry::CellGrid;
 using geometry::VecArray;
 
 constexpr std::int64_t bends_a_task = 1024;
-
-struct KeyedTriangle {
-    std::uint64_t cell;
-    std::uint32_t side;
-    std::uint32_t triangle;
-
-    [[nodiscard]] bool shares_patch_with(const KeyedTriangle& other) const noexcept {
-        return cell == other.cell && side == other.side;
-    }
-    [[nodiscard]] bool operator<(const KeyedTriangle& other) const noexcept {
-        if (cell != other.cell) return cell < other.cell;
-        return side != other.side ? side < other.side : triangle < other.triangle;
-    }
-};
 
 struct MeshTriangle {
     glm::dvec3 a, b, c;
@@ -55,33 +39,23 @@ struct MeshTriangle {
             mesh.position[mesh.corner[3 * t + 2]]};
 }
 
-[[nodiscard]] base::Array<KeyedTriangle> sort_triangles(const base::Work& work, const SurfaceTriangles& mesh,
-                                                        double side) {
-    geometry::Bounds bounds;
-    for (std::int64_t i = 0; i < mesh.position.size(); ++i) bounds.extend(mesh.position[i]);
+[[nodiscard]] base::Array<InCell> sort_triangles(const base::Work& work, const SurfaceTriangles& mesh, double side) {
+    const geometry::Bounds bounds = bounds_of(mesh.position);
     const CellGrid grid{bounds.min, std::max(side, bounds.longest_side() / static_cast<double>(CellGrid::most - 1))};
-    base::Array<KeyedTriangle> keyed(work.memory);
-    keyed.resize_for_overwrite(mesh.corner.size() / 3);
-    work.for_chunks(keyed.size(), 65536, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t t = begin; t < end; ++t) {
-            const MeshTriangle triangle = triangle_of(mesh, t);
-            keyed[t] = {CellGrid::pack(grid.cell_of(triangle.centre())), side_of(triangle.area()),
-                        static_cast<std::uint32_t>(t)};
-        }
-    });
-    base::sort_on_threads(work, keyed, [](const KeyedTriangle& a, const KeyedTriangle& b) { return a < b; });
-    return keyed;
+    return sort_into_cells(
+        work, mesh.corner.size() / 3, grid, [&](std::int64_t t) { return triangle_of(mesh, t).centre(); },
+        [&](std::int64_t t) { return triangle_of(mesh, t).area(); });
 }
 
 } // namespace
 
 struct SurfaceBend::Patches {
     // Returns the patch of the triangles [begin, end) of the order.
-    [[nodiscard]] static Patch sum(const SurfaceTriangles& mesh, const base::Array<KeyedTriangle>& keyed,
-                                   std::int64_t begin, std::int64_t end) noexcept {
+    [[nodiscard]] static Patch sum(const SurfaceTriangles& mesh, const base::Array<InCell>& sorted, std::int64_t begin,
+                                   std::int64_t end) noexcept {
         Patch patch;
         for (std::int64_t i = begin; i < end; ++i) {
-            const MeshTriangle triangle = triangle_of(mesh, keyed[i].triangle);
+            const MeshTriangle triangle = triangle_of(mesh, sorted[i].index);
             const double area = glm::length(triangle.area());
             patch.area += area;
             patch.mean += area * triangle.centre();
@@ -91,19 +65,19 @@ struct SurfaceBend::Patches {
         patch.mean /= patch.area;
         patch.normal = glm::normalize(patch.normal);
         for (std::int64_t i = begin; i < end; ++i) {
-            const MeshTriangle triangle = triangle_of(mesh, keyed[i].triangle);
+            const MeshTriangle triangle = triangle_of(mesh, sorted[i].index);
             patch.squares += glm::length(triangle.area()) * triangle.mean_square(patch.mean);
         }
         return patch;
     }
     // Returns the patches of the triangles in cells with this side.
     [[nodiscard]] static base::Array<Patch> of(const base::Work& work, const SurfaceTriangles& mesh, double side) {
-        const base::Array<KeyedTriangle> keyed = sort_triangles(work, mesh, side);
+        const base::Array<InCell> sorted = sort_triangles(work, mesh, side);
         base::Array<Patch> patches(work.memory);
         std::int64_t begin = 0;
-        for (const std::int64_t i : work.over(keyed.size())) {
-            if (i + 1 < keyed.size() && keyed[i + 1].shares_patch_with(keyed[i])) continue;
-            const Patch patch = sum(mesh, keyed, begin, i + 1);
+        for (const std::int64_t i : work.over(sorted.size())) {
+            if (i + 1 < sorted.size() && sorted[i + 1].is_with(sorted[i])) continue;
+            const Patch patch = sum(mesh, sorted, begin, i + 1);
             if (patch.area > 0.0) patches.push_back(patch);
             begin = i + 1;
         }

@@ -5,11 +5,9 @@
 #include "light/light.h"
 
 #include "base/assert.h"
-#include "base/sort_on_threads.h"
-#include "geometry/cell_grid.h"
 #include "geometry/point_grid.h"
 #include "geometry/tangent_frame.h"
-#include "light/sides.h"
+#include "light/cell_sort.h"
 #include "light/tuning.h"
 
 #include <algorithm>
@@ -19,49 +17,14 @@
 namespace hrbfnpr::light {
 namespace {
 
-using geometry::CellGrid;
 using geometry::VecArray;
 
 constexpr std::int64_t places_a_task = 256;
 
 // ---- Samples
 
-struct KeyedPlace {
-    std::uint64_t cell;
-    std::uint32_t side; // the direction of the axis along which the normal is largest
-    std::uint32_t place;
-
-    [[nodiscard]] bool shares_sample_with(const KeyedPlace& other) const noexcept {
-        return cell == other.cell && side == other.side;
-    }
-    [[nodiscard]] bool operator<(const KeyedPlace& other) const noexcept {
-        if (cell != other.cell) return cell < other.cell;
-        return side != other.side ? side < other.side : place < other.place;
-    }
-};
-
-[[nodiscard]] base::Array<KeyedPlace> sort_into_cells(const base::Work& work, const Places& places,
-                                                      const CellGrid& grid) {
-    const std::int64_t count = places.position.size();
-    base::Array<KeyedPlace> keyed(work.memory);
-    keyed.resize_for_overwrite(count);
-    work.for_chunks(count, 65536, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i)
-            keyed[i] = {CellGrid::pack(grid.cell_of(places.position[i])), side_of(places.normal[i]),
-                        static_cast<std::uint32_t>(i)};
-    });
-    base::sort_on_threads(work, keyed, [](const KeyedPlace& a, const KeyedPlace& b) { return a < b; });
-    return keyed;
-}
-
-[[nodiscard]] geometry::Bounds bounds_of(const VecArray& position) noexcept {
-    geometry::Bounds bounds;
-    for (std::int64_t i = 0; i < position.size(); ++i) bounds.extend(position[i]);
-    return bounds;
-}
-
 struct Samples {
-    base::Array<std::int32_t> place; // the index of each sample's place, ascending
+    base::Array<std::int32_t> place; // the index of each sample's place, cell by cell
     double spacing = 0.0;
 };
 
@@ -71,11 +34,13 @@ struct Samples {
     Samples samples{base::Array<std::int32_t>(work.memory)};
     samples.spacing = bounds.diagonal() / std::sqrt(static_cast<double>(std::max<std::int64_t>(wanted, 1)));
     for (int round = 0; round < 3 && samples.spacing > 0.0; ++round) {
-        const base::Array<KeyedPlace> keyed = sort_into_cells(work, places, {bounds.min, samples.spacing});
+        const base::Array<InCell> sorted = sort_into_cells(
+            work, places.position.size(), {bounds.min, samples.spacing},
+            [&](std::int64_t i) { return places.position[i]; }, [&](std::int64_t i) { return places.normal[i]; });
         samples.place.clear();
-        for (std::int64_t i = 0; i < keyed.size(); ++i)
-            if (i == 0 || !keyed[i].shares_sample_with(keyed[i - 1]))
-                samples.place.push_back(static_cast<std::int32_t>(keyed[i].place));
+        for (std::int64_t i = 0; i < sorted.size(); ++i)
+            if (i == 0 || !sorted[i].is_with(sorted[i - 1]))
+                samples.place.push_back(static_cast<std::int32_t>(sorted[i].index));
         const double share = static_cast<double>(samples.place.size()) / static_cast<double>(wanted);
         if (share > 0.7 && share < 1.2) break;
         samples.spacing *= std::clamp(std::sqrt(share), 0.25, 4.0);
