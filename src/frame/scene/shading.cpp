@@ -39,15 +39,24 @@ struct WorldMarks {
     return marks;
 }
 
-// Copies numbers of marks to the order of the blocks. Places without a mark get 1.
-void sort_into_blocks(const base::Array<float>& of_marks, std::int64_t first, const marks::Layer& layer, float* to) {
+// Adds the order of the blocks to numbers of marks. Places without a mark get 1.
+[[nodiscard]] MarkNumbers in_both_orders(base::Array<float>&& of_mark, const marks::Layer& layer) {
     const base::Array<marks::MarkBlock>& block = layer.clusters.block;
-    std::fill_n(to, block.size() * marks::MarkBlock::size, 1.0F);
+    MarkNumbers numbers(of_mark.memory());
+    numbers.of_mark = std::move(of_mark);
+    numbers.in_blocks.resize_for_overwrite(block.size() * marks::MarkBlock::size);
+    std::fill(numbers.in_blocks.begin(), numbers.in_blocks.end(), 1.0F);
     for (const marks::Cluster& cluster : layer.clusters.cluster)
         for (std::int64_t i = 0; i < cluster.count; ++i) {
             const std::int64_t place = cluster.block * marks::MarkBlock::size + i;
-            to[place] = of_marks[first + block[place / marks::MarkBlock::size].mark[place % marks::MarkBlock::size]];
+            const std::uint32_t mark = block[place / marks::MarkBlock::size].mark[place % marks::MarkBlock::size];
+            numbers.in_blocks[place] = numbers.of_mark[mark];
         }
+    return numbers;
+}
+
+void copy(const MarkNumbers& from, MarkNumbers& to) {
+    marks::copy_arrays(from, to, &MarkNumbers::of_mark, &MarkNumbers::in_blocks);
 }
 
 void lower(SeenShares& least, const SeenShares& seen) noexcept {
@@ -90,60 +99,79 @@ void find_least(const Shading& shading, std::int64_t number, const marks::Layer&
 }
 
 // Finds how the surface bends at the marks of a layer.
-void add_bends(const base::Work& work, const ShadedItem& item, const marks::Layer& layer,
-               const light::SurfaceBend& bend, LayerShading& to) {
+[[nodiscard]] MarkNumbers bends_of(const base::Work& work, const ShadedItem& item, const marks::Layer& layer,
+                                   const light::SurfaceBend& bend) {
     ShadedItem own = item;
     own.to_world = glm::dmat4(1.0);
     const WorldMarks marks = in_world(work, own, layer);
-    to.bend = bend.contrast(work, {marks.position, marks.normal, 0.0});
-    to.bend_in_blocks.resize_for_overwrite(layer.clusters.block.size() * marks::MarkBlock::size);
-    sort_into_blocks(to.bend, 0, layer, to.bend_in_blocks.data());
+    return in_both_orders(bend.contrast(work, {marks.position, marks.normal, 0.0}), layer);
+}
+
+// Finds the shares of the marks of a layer. `bend` is null if curvature is not wanted, or known from before.
+void shade_layer(const base::Work& work, const Casters& casters, const ShadedItem& item,
+                 const ShadingSettings& settings, const light::SurfaceBend* bend, std::int64_t number,
+                 LayerShading& to) {
+    const marks::Layer& layer = item.set->layers[number];
+    const WorldMarks world = in_world(work.without_progress(), item, layer);
+    const light::Places places{world.position, world.normal, scene_tuning.shading_offset * casters.cell};
+    if (settings.previous != nullptr) {
+        copy(settings.previous->layers[number].open, to.open);
+        copy(settings.previous->layers[number].bend, to.bend);
+    } else if (settings.reach > 0.0) {
+        light::Sky sky{settings.reach};
+        sky.rays = settings.sky_rays;
+        to.open = in_both_orders(light::find_openness(work, casters.tree, places, sky), layer);
+    }
+    if (bend != nullptr) to.bend = bends_of(work.without_progress(), item, layer, *bend);
+    for (const LightStyle& light : item.lights) {
+        MarkNumbers& visible = to.visible.add(MarkNumbers(work.memory));
+        if (!(light.shadow > 0.0F)) continue;
+        const light::Lamp lamp = lamp_of(light, item, settings.shadow_rays);
+        visible = in_both_orders(light::find_visible(work.without_progress(), casters.tree, places, lamp), layer);
+    }
+}
+
+[[nodiscard]] bool has_bend(const Shading& shading) noexcept {
+    return std::any_of(shading.layers.begin(), shading.layers.end(),
+                       [](const LayerShading& layer) { return !layer.bend.empty(); });
 }
 
 } // namespace
 
 LightShares Shading::in_blocks(std::int64_t layer, std::int64_t first_place) const noexcept {
     const LayerShading& from = layers[layer];
+    const auto part = [&](const MarkNumbers& numbers) {
+        return numbers.empty() ? nullptr : numbers.in_blocks.data() + first_place;
+    };
     LightShares shares;
-    if (!from.open_in_blocks.empty()) shares.open = from.open_in_blocks.data() + first_place;
-    if (!from.bend_in_blocks.empty()) shares.bend = from.bend_in_blocks.data() + first_place;
-    const std::int64_t places = shadows > 0 ? from.visible_in_blocks.size() / shadows : 0;
-    for (std::size_t i = 0; i < shadow.size(); ++i)
-        if (shadow[i] >= 0 && places > 0)
-            shares.visible[i] = from.visible_in_blocks.data() + shadow[i] * places + first_place;
+    shares.open = part(from.open);
+    shares.bend = part(from.bend);
+    for (std::int64_t i = 0; i < from.visible.size(); ++i) shares.visible[i] = part(from.visible[i]);
     return shares;
 }
 
 std::span<const float> Shading::of_layer(std::int64_t layer, std::int64_t light) const noexcept {
     const LayerShading& from = layers[layer];
-    if (light < 0) return from.open.span();
-    const std::int32_t number = shadow[static_cast<std::size_t>(light)];
-    if (number < 0) return {};
-    const std::int64_t marks = from.visible.size() / shadows;
-    return from.visible.span().subspan(static_cast<std::size_t>(number * marks), static_cast<std::size_t>(marks));
+    if (light < 0) return from.open.of_mark.span();
+    return light < from.visible.size() ? from.visible[light].of_mark.span() : std::span<const float>();
 }
 
 SeenShares Shading::of_mark(std::int64_t layer, std::int64_t mark) const noexcept {
     const LayerShading& from = layers[layer];
     SeenShares seen;
-    if (!from.open.empty()) seen.open = from.open[mark];
-    if (!from.bend.empty()) seen.bend = from.bend[mark];
-    const std::int64_t marks = shadows > 0 ? from.visible.size() / shadows : 0;
-    for (std::size_t i = 0; i < shadow.size(); ++i)
-        if (shadow[i] >= 0) seen.visible[i] = from.visible[shadow[i] * marks + mark];
+    if (!from.open.empty()) seen.open = from.open.of_mark[mark];
+    if (!from.bend.empty()) seen.bend = from.bend.of_mark[mark];
+    for (std::int64_t i = 0; i < from.visible.size(); ++i)
+        if (!from.visible[i].empty()) seen.visible[static_cast<std::size_t>(i)] = from.visible[i].of_mark[mark];
     return seen;
-}
-
-bool Shading::has_bend() const noexcept {
-    return std::any_of(layers.begin(), layers.end(), [](const LayerShading& layer) { return !layer.bend.empty(); });
 }
 
 std::int64_t Shading::bytes() const noexcept {
     std::int64_t sum = 0;
-    for (const LayerShading& layer : layers)
-        sum += layer.open.bytes() + layer.visible.bytes() + layer.bend.bytes() + layer.open_in_blocks.bytes() +
-               layer.visible_in_blocks.bytes() + layer.bend_in_blocks.bytes() + layer.of_cluster.bytes() +
-               layer.of_piece.bytes();
+    for (const LayerShading& layer : layers) {
+        sum += layer.open.bytes() + layer.bend.bytes() + layer.of_cluster.bytes() + layer.of_piece.bytes();
+        for (const MarkNumbers& visible : layer.visible) sum += visible.bytes();
+    }
     for (const curves::FoundLines& found : lines) sum += found.lines.bytes();
     return sum;
 }
@@ -202,45 +230,15 @@ Shading find_shading(const base::Work& work, const Casters& casters, const Shade
                      const ShadingSettings& settings) {
     HRBFNPR_ASSERT(item.lights.size() <= most_lights);
     Shading shading(work.memory);
-    for (std::size_t i = 0; i < item.lights.size(); ++i)
-        if (item.lights[i].shadow > 0.0F) shading.shadow[i] = shading.shadows++;
-    const double offset = scene_tuning.shading_offset * casters.cell;
-    const bool has_bend = settings.previous != nullptr && settings.previous->has_bend();
-    const auto bend = has_bend ? nullptr : bend_of(work.without_progress(), item, settings);
-    for (std::int64_t number = 0; number < item.set->layers.size(); ++number) {
-        const marks::Layer& layer = item.set->layers[number];
-        const base::Work part =
-            work.part(static_cast<double>(number) / static_cast<double>(item.set->layers.size()),
-                      static_cast<double>(number + 1) / static_cast<double>(item.set->layers.size()));
+    const bool knows_bend = settings.previous != nullptr && has_bend(*settings.previous);
+    const auto bend = knows_bend ? nullptr : bend_of(work.without_progress(), item, settings);
+    const std::int64_t layers = item.set->layers.size();
+    for (std::int64_t number = 0; number < layers; ++number) {
+        const base::Work part = work.part(static_cast<double>(number) / static_cast<double>(layers),
+                                          static_cast<double>(number + 1) / static_cast<double>(layers));
         LayerShading& to = shading.layers.add(LayerShading(work.memory));
-        const WorldMarks world = in_world(work, item, layer);
-        const light::Places places{world.position, world.normal, offset};
-        const std::int64_t in_blocks = layer.clusters.block.size() * marks::MarkBlock::size;
-        if (settings.previous != nullptr) {
-            marks::copy_array(settings.previous->layers[number].open, to.open);
-            marks::copy_array(settings.previous->layers[number].open_in_blocks, to.open_in_blocks);
-        } else if (settings.reach > 0.0) {
-            light::Sky sky{settings.reach};
-            sky.rays = settings.sky_rays;
-            to.open = light::find_openness(part, casters.tree, places, sky);
-            to.open_in_blocks.resize_for_overwrite(in_blocks);
-            sort_into_blocks(to.open, 0, layer, to.open_in_blocks.data());
-        }
-        if (has_bend) {
-            marks::copy_array(settings.previous->layers[number].bend, to.bend);
-            marks::copy_array(settings.previous->layers[number].bend_in_blocks, to.bend_in_blocks);
-        } else if (bend != nullptr) {
-            add_bends(part.without_progress(), item, layer, *bend, to);
-        }
-        to.visible_in_blocks.resize_for_overwrite(shading.shadows * in_blocks);
-        for (std::size_t i = 0; i < item.lights.size(); ++i) {
-            if (shading.shadow[i] < 0) continue;
-            const light::Lamp lamp = lamp_of(item.lights[i], item, settings.shadow_rays);
-            const base::Array<float> visible = light::find_visible(part.without_progress(), casters.tree, places, lamp);
-            sort_into_blocks(visible, 0, layer, to.visible_in_blocks.data() + shading.shadow[i] * in_blocks);
-            for (const float share : visible) to.visible.push_back(share);
-        }
-        find_least(shading, number, layer, to);
+        shade_layer(part, casters, item, settings, bend.get(), number, to);
+        find_least(shading, number, item.set->layers[number], to);
     }
     return shading;
 }
@@ -254,22 +252,22 @@ void light_marks(const ProjectionLoops& loops, const Lighting& lighting, const S
     }
     // The shares of the marks are scattered in memory.
     constexpr std::int64_t at_once = 64;
-    std::array<std::array<float, at_once>, 2 + most_lights> share{};
-    LightShares shares;
-    shares.open = share[0].data();
-    shares.bend = share[most_lights + 1].data();
-    for (std::size_t k = 0; k < most_lights; ++k)
-        if (shaded.shading->shadow[k] >= 0) shares.visible[k] = share[k + 1].data();
+    std::array<std::array<float, at_once>, 2 + most_lights> row{};
+    const LayerShading& from = shaded.shading->layers[shaded.layer];
     for (std::int64_t first = 0; first < rows.count; first += at_once) {
         const std::int64_t size = std::min(at_once, rows.count - first);
-        for (std::int64_t i = 0; i < size; ++i) {
-            const auto at = static_cast<std::size_t>(i);
-            const SeenShares seen =
-                shaded.shading->of_mark(shaded.layer, shaded.marks[static_cast<std::size_t>(first + i)]);
-            share[0][at] = seen.open;
-            share[most_lights + 1][at] = seen.bend;
-            for (std::size_t k = 0; k < most_lights; ++k) share[k + 1][at] = seen.visible[k];
-        }
+        std::size_t used = 0;
+        const auto gather = [&](const MarkNumbers& numbers) -> const float* {
+            if (numbers.empty()) return nullptr;
+            float* const to = row[used++].data();
+            for (std::int64_t i = 0; i < size; ++i)
+                to[i] = numbers.of_mark[shaded.marks[static_cast<std::size_t>(first + i)]];
+            return to;
+        };
+        LightShares shares;
+        shares.open = gather(from.open);
+        shares.bend = gather(from.bend);
+        for (std::int64_t k = 0; k < from.visible.size(); ++k) shares.visible[k] = gather(from.visible[k]);
         loops.light_rows(
             lighting,
             {rows.x + first, rows.y + first, rows.z + first, rows.nx + first, rows.ny + first, rows.nz + first, size},

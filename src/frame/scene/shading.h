@@ -21,26 +21,31 @@
 
 namespace hrbfnpr::frame {
 
+// A number for each mark of a layer. Empty: it is the same for all marks.
+struct MarkNumbers {
+    explicit MarkNumbers(base::Memory& memory) noexcept : of_mark(memory), in_blocks(memory) {}
+
+    base::Array<float> of_mark;
+    base::Array<float> in_blocks; // the same numbers in the order of the blocks of the layer's clusters
+
+    [[nodiscard]] bool empty() const noexcept { return of_mark.empty(); }
+    [[nodiscard]] std::int64_t bytes() const noexcept { return of_mark.bytes() + in_blocks.bytes(); }
+};
+
 struct LayerShading {
     explicit LayerShading(base::Memory& memory) noexcept
-        : open(memory), visible(memory), bend(memory), open_in_blocks(memory), visible_in_blocks(memory),
-          bend_in_blocks(memory), of_cluster(memory), of_piece(memory) {}
+        : open(memory), bend(memory), visible(memory), of_cluster(memory), of_piece(memory) {}
 
-    base::Array<float> open;    // for each mark: the share of the sky; empty: all
-    base::Array<float> visible; // shadow after shadow: for each mark, the share of the light
-    base::Array<float> bend;    // for each mark: -1 in hollows, 1 on ridges; empty: 0
-    // The same in the order of the blocks of the layer's clusters.
-    base::Array<float> open_in_blocks, visible_in_blocks, bend_in_blocks;
+    MarkNumbers open;                // the share of the sky; empty: 1
+    MarkNumbers bend;                // -1 in hollows, 1 on ridges; empty: 0
+    base::List<MarkNumbers> visible; // for each light of the style: the share of the light; empty: it casts no shadow
     base::Array<SeenShares> of_cluster, of_piece; // the least shares of each cluster, and of each piece of a stroke
 };
 
 struct Shading {
     explicit Shading(base::Memory& memory) noexcept : layers(memory), lines(memory) {}
 
-    base::List<LayerShading> layers; // an element for each layer of the set
-    // For each light of the style: the number of its shadow in `visible`, or -1 if it casts none.
-    std::array<std::int32_t, most_lights> shadow{-1, -1, -1, -1, -1, -1, -1, -1};
-    std::int32_t shadows = 0;
+    base::List<LayerShading> layers;      // an element for each layer of the set
     base::List<curves::FoundLines> lines; // the borders of shadows on the item, in its coordinates
 
     // Returns the shares of marks, beginning with a place in the order of the blocks.
@@ -48,7 +53,6 @@ struct Shading {
     // Returns the shares of all marks of a layer, of a light or, if `light` is -1, of the sky. Empty: they are all 1.
     [[nodiscard]] std::span<const float> of_layer(std::int64_t layer, std::int64_t light) const noexcept;
     [[nodiscard]] SeenShares of_mark(std::int64_t layer, std::int64_t mark) const noexcept;
-    [[nodiscard]] bool has_bend() const noexcept;
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };
 
