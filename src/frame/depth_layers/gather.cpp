@@ -423,9 +423,7 @@ void add_dots(const RunView& v, const VisibleCluster& visible, const Selection& 
     std::array<float, ProjectedMarks::most> tau;
     const float* tones = tones_of(v, visible, projected, count, loops, tau.data());
     if (v.run.fields.tone != nullptr) {
-        for (std::int64_t i = 0; i < count; ++i)
-            tau[static_cast<std::size_t>(i)] =
-                FieldEffect{1.0F, fields->tone_factor[i], fields->tone_added[i], 1.0F}.tone(tones[i]);
+        for (std::int64_t i = 0; i < count; ++i) tau[static_cast<std::size_t>(i)] = fields->effect[i].tone(tones[i]);
         tones = tau.data();
     }
     const InkChoice* const inks = v.scene.inks_of(v.run);
@@ -450,7 +448,8 @@ void add_dots(const RunView& v, const VisibleCluster& visible, const Selection& 
             const std::int64_t i = first + std::countr_zero(bits);
             const std::int64_t place = visible.cluster.block * MarkBlock::size + i;
             const float radius = v.run.discs.front_ink(projected.pixels_per_unit[i]) *
-                                 (width.empty() ? 1.0F : width[place]) * (fields == nullptr ? 1.0F : fields->width[i]);
+                                 (width.empty() ? 1.0F : width[place]) *
+                                 (fields == nullptr ? 1.0F : fields->effect[i].width);
             // The runs of the other side of a surface have opposite normals. The flag refers to the normals of the
             // front side, as for splats.
             const bool faces_back = (projected.nu[i] > 0.0F) != v.run.turned;

@@ -25,9 +25,8 @@ const marks::MarkField* find_field(const marks::PointSet& set, std::int64_t laye
                           });
     if (!is_known)
         fail(Status::invalid_argument,
-             "items[%lld].style: %s of the layer \"%.63s\" is \"%.63s\", which is no field of items[%lld].point_set; "
-             "add "
-             "it by hrbfnpr_point_set_with_fields",
+             "items[%lld].style: %s of the layer \"%.63s\" is \"%.63s\", which is no field of "
+             "items[%lld].point_set; add it by hrbfnpr_point_set_with_fields",
              ll{item}, member, set.layers[layer].name.data(), name, ll{item});
     if (own != nullptr && own->kind != kind)
         fail(

@@ -29,9 +29,8 @@ struct FieldEffect {
 
 // The effects on consecutive marks, and bounds for all of them.
 struct FieldRows {
-    float density[marks::most_in_cluster];
-    float tone_factor[marks::most_in_cluster], tone_added[marks::most_in_cluster];
-    float width[marks::most_in_cluster];
+    FieldEffect effect[marks::most_in_cluster];
+    float density[marks::most_in_cluster]; // the same as in `effect`, for loops over vectors
 };
 struct FieldBounds {
     float most_density = 1.0F;
@@ -83,10 +82,8 @@ struct RunFields {
         FieldBounds bounds{0.0F, most_factor, 1.0F, 0.0F};
         for (std::int64_t i = 0; i < count; ++i) {
             const FieldEffect effect = effect_on(mark_at(i));
+            rows.effect[i] = effect;
             rows.density[i] = effect.density;
-            rows.tone_factor[i] = effect.tone_factor;
-            rows.tone_added[i] = effect.tone_added;
-            rows.width[i] = effect.width;
             bounds.most_density = std::max(bounds.most_density, effect.density);
             bounds.least_tone_factor = std::min(bounds.least_tone_factor, effect.tone_factor);
             bounds.least_tone_added = std::min(bounds.least_tone_added, effect.tone_added);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace hrbfnpr::frame {
@@ -95,6 +96,7 @@ struct LeftOfLight {
 } // namespace
 
 Lighting lighting_of(const Style& style, const LitSpace& space) {
+    static_assert(std::size(Lighting{}.lamps) == most_lights && std::size(LightShares{}.visible) == most_lights);
     HRBFNPR_ASSERT(style.lights.size() <= most_lights);
     Lighting lighting{};
     const LightStyle key = style.key_light();
@@ -208,13 +210,12 @@ float facing(const Lighting& lighting, const glm::vec3& place, const glm::vec3& 
 }
 
 float least_light(const Lighting& own, const LitBounds& bounds, const SeenShares& seen) noexcept {
-    const float by_bend = own.curvature_contrast * seen.bend;
+    HRBFNPR_ASSERT(own.rigid);
     const LeftOfLight left = left_by_occlusion(own, seen);
-    if (!own.rigid) return tone_of(own, left.ambient * (own.ambient - std::abs(own.from_sky)) + by_bend);
     const Angle cone{bounds.cosine, bounds.sine};
     const Range up = cosines(glm::dot(bounds.axis, glm::vec3(own.up[0], own.up[1], own.up[2])), cone);
     float sum = own.ambient + (own.from_sky > 0.0F ? own.from_sky * up.least : own.from_sky * up.most);
-    sum = sum * left.ambient + by_bend;
+    sum = sum * left.ambient + own.curvature_contrast * seen.bend;
     // The fill light and the rim light are left out, because the terminator may be in between.
     for (std::int32_t i = 0; i < own.count; ++i)
         sum += left.lamps * left_of_lamp(own.lamps[i], seen, i) * own.lamps[i].intensity *
