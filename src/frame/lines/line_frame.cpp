@@ -18,6 +18,7 @@
 #include "features/contours.h"
 #include "frame/lines/lines.h"
 #include "frame/lines/tuning.h"
+#include "frame/scene/tuning.h"
 #include "geometry/point_grid.h"
 
 #include <glm/matrix.hpp>
@@ -94,9 +95,10 @@ Camera camera_off_planes(const Scene& scene, std::span<const Item> items) {
     // x and y shift in proportion to z - middle. For an orthographic camera, w changes with z, which puts the eye at a
     // finite distance.
     glm::dmat4 moved(1.0);
-    const double shift = line_tuning.camera_offset;
-    const glm::dvec2 to_side = line_tuning.sideways_share * shift *
-                               glm::dvec2(std::cos(line_tuning.sideways_angle), std::sin(line_tuning.sideways_angle));
+    const double shift = scene_tuning.off_planes;
+    const glm::dvec2 to_side =
+        line_tuning.sideways_share * shift *
+        glm::dvec2(std::cos(scene_tuning.off_planes_angle), std::sin(scene_tuning.off_planes_angle));
     for (int axis = 0; axis < 2; ++axis) {
         moved[2][axis] = to_side[axis];
         moved[3][axis] = -to_side[axis] * middle;

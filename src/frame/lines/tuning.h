@@ -25,12 +25,8 @@ struct LineTuning {
     double shortest_feature = 0.01;
     // The number of refinement rounds of apparent ridges.
     int ridge_rounds = 2;
-    // For models with creases, the camera is moved by this share of the scene's radius, so that no face is seen exactly
-    // edge-on. Larger: lines move visibly.
-    double camera_offset = 2e-5;
-    // This share of the camera's move is to one side, at an angle that is unlikely to be in a plane of symmetry.
+    // If the camera is moved because of creases, this share of its move is to one side.
     double sideways_share = 0.05;
-    double sideways_angle = 0.9;
 
     // ---- Numbers of lines
 

@@ -24,6 +24,9 @@ using curves::CubicPiece;
 using curves::CurvePoint;
 
 constexpr std::int64_t edges_a_task = 64;
+// Newton's method for a place on a surface ends after a step shorter than this, in cells, or after `most_steps` steps.
+constexpr double shortest_step = 1e-6;
+constexpr int most_steps = 16;
 
 [[nodiscard]] glm::dvec3 transformed(const glm::dmat4& m, const glm::dvec3& place) noexcept {
     return glm::dvec3(m * glm::dvec4(place, 1.0));
@@ -95,9 +98,8 @@ struct Surroundings {
     if (!(distance > 0.0)) return source;
     const glm::dvec3 u = geometry::any_perpendicular(towards / distance);
     const glm::dvec3 v = glm::cross(towards / distance, u);
-    // This angle is unlikely to be in a plane of symmetry.
-    constexpr double angle = 0.9;
-    const double shift = scene_tuning.light_offset * distance;
+    constexpr double angle = scene_tuning.off_planes_angle;
+    const double shift = scene_tuning.off_planes * distance;
     const glm::dvec3 moved = lamp.place + shift * (std::cos(angle) * u + std::sin(angle) * v);
     source.light = glm::dvec4(lamp.is_place ? moved : glm::normalize(moved), source.light.w);
     return source;
@@ -285,7 +287,7 @@ struct Root {
     const glm::dvec3 from = transformed(surface.from_world, origin);
     const glm::dvec3 step = glm::dmat3(surface.from_world) * way;
     const double start = t;
-    for (int i = 0; i < scene_tuning.shadow_steps; ++i) {
+    for (int i = 0; i < most_steps; ++i) {
         const glm::dvec3 place = from + t * step;
         double value = 0.0;
         glm::dvec3 gradient(0.0);
@@ -294,12 +296,12 @@ struct Root {
         const double slope = glm::dot(gradient, step);
         const double change = std::clamp(-value / slope, -surface.cell, surface.cell);
         if (!std::isfinite(change)) return std::nullopt;
-        if (std::abs(change) < scene_tuning.shadow_tolerance * surface.cell) {
+        if (std::abs(change) < shortest_step * surface.cell) {
             if (!(t > scene_tuning.shadow_start * surface.cell)) return std::nullopt;
             return Root{t, slope, place, glm::normalize(gradient)};
         }
         t += change;
-        if (!(std::abs(t - start) < scene_tuning.shadow_farthest * surface.cell)) return std::nullopt;
+        if (!(std::abs(t - start) < scene_tuning.shadow_near * surface.cell)) return std::nullopt;
     }
     return std::nullopt;
 }
@@ -375,7 +377,7 @@ struct Meeting {
         if (!is_clear) met.near = find_near_root(ray);
         if (met.near) return met;
         is_clear = true;
-        from = met.t + scene_tuning.shadow_step * ray.surface.cell;
+        from = met.t + scene_tuning.shadow_start * ray.surface.cell;
     }
 }
 

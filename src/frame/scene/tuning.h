@@ -39,31 +39,28 @@ struct SceneTuning {
     // shadows. Larger: no spots where a mesh lies above the surface, but light leaks where surfaces touch.
     double shading_offset = 0.25;
 
+    // If a scene has creases, the eye or a light is moved to one side by about this share of its distance, so that it
+    // grazes no face. Larger: lines move visibly.
+    double off_planes = 2e-5;
+    // The direction of that move, an angle in radians that is unlikely to be in a plane of symmetry.
+    double off_planes_angle = 0.9;
+
     // ---- Borders of shadows. A cell is the side of a cell of the mesh on which lines are found.
 
-    // For models with creases, a light is moved to one side by this angle, in radians, so that it grazes no face.
-    // Larger: borders move visibly.
-    double light_offset = 2e-5;
     // Rays that touch an outline begin this far beside it, in cells. Larger: fewer rays meet the mesh of their own
     // surface, but borders end farther from the things that hide them.
     double shadow_offset = 0.05;
     // Where a ray meets the mesh of its own surface within the distance `shadow_near`, in cells, the exact surface is
     // evaluated at `near_places` places up to this distance. The ray is inside the surface if a place is deeper than
-    // `least_depth` cells. Larger distances and more places: more time. Larger depths: shadows begin later.
+    // `least_depth` cells. The exact place of a shadow is at most `shadow_near` from the mesh along the ray. Larger
+    // distances and more places: more time. Larger depths: shadows begin later.
     double shadow_near = 4.0;
     std::int64_t near_places = 16;
     double least_depth = 1e-4;
-    // A ray that meets the mesh but not the surface goes on after this distance, in cells. Larger: thin things right
-    // behind the mesh are missed.
-    double shadow_step = 1e-3;
-    // A ray meets its own surface only beyond this distance, in cells. Larger: gaps where a cast shadow begins.
+    // A ray meets its own surface only beyond this distance, in cells. If it meets the mesh but not the surface, it
+    // goes on after this distance. Larger: gaps where a cast shadow begins, and thin things right behind the mesh are
+    // missed.
     double shadow_start = 1e-3;
-    // Newton's method for the place where a shadow falls ends after a step shorter than `shadow_tolerance`, or after
-    // `shadow_steps` steps. The place is at most `shadow_farthest` from the mesh along the ray. In cells. Larger
-    // tolerances: rough borders. More steps: fewer gaps where light grazes the surface.
-    double shadow_tolerance = 1e-6;
-    int shadow_steps = 16;
-    double shadow_farthest = 4.0;
     // Two points of a border are linked if they are at most `longest_border` cells apart and if the line turns by less
     // than 0.15 radians at either, given as a cosine. Larger: corners are cut, and borders jump between parts.
     double longest_border = 1.5;
