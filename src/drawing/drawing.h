@@ -36,6 +36,7 @@ struct Layer {
     std::uint32_t line_kind = 0;  // HRBFNPR_LINE_KIND_*; used if `layer` is -1
     bool as_hatch = false;        // whether the strokes are hatching
     std::int32_t ink_number = -1; // number of the ink in the style's palette; -1: the layer's own ink
+    bool other_side = false;      // whether the marks are seen from the inside of the surface
     marks::LayerName line_name{}; // the name that the style gives to the lines; may be empty
 };
 

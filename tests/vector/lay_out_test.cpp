@@ -198,6 +198,21 @@ TEST_F(LayOutInks, EachInkIsOneGroupEvenIfInksOverlap) {
     }
 }
 
+TEST_F(LayOutInks, NamesTellTheSideAndTheNumberBeforeTheInk) {
+    for (const std::int32_t number : {-1, 1}) {
+        drawing::Layer back = picture.layers[1 + number];
+        back.other_side = true;
+        picture.layers.push_back(back);
+    }
+    picture.layers.push_back(picture.layers[2]); // a second item with the same marks
+    for (std::uint32_t layer = 0; layer < 6; ++layer) add_dot(layer, 6.0F - static_cast<float>(layer));
+    lay_out_dots();
+    std::vector<std::string> names;
+    for (const KeptGroup& group : page.groups) names.emplace_back(group.group.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"stipples", "stipples ink 1", "stipples ink 2", "stipples back",
+                                               "stipples back ink 2", "stipples 2 ink 2"}));
+}
+
 TEST_F(LayOutInks, OtherLayersAreStillPaintedFromFarToNear) {
     drawing::Layer other;
     other.layer = 1;

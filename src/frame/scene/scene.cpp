@@ -229,6 +229,7 @@ void add_layer(const Run& run, MarkClass mark_class, const float* ink, std::int3
     layer.as_hatch = run.shape == Shape::hatch && mark_class == MarkClass::front;
     layer.ink = {ink[0], ink[1], ink[2], ink[3]};
     layer.ink_number = ink_number;
+    layer.other_side = run.turned;
     drawing.layers.push_back(layer);
 }
 

@@ -224,6 +224,7 @@ void append(char (&name)[PageGroup::most], const char* what, int number) noexcep
     std::snprintf(name + used, sizeof name - used, "%s %d", what, number);
 }
 
+// The ink is not part of the name, because numbers of namesakes stand before it.
 void name_layer(const Drawing& drawing, std::int64_t number, char (&name)[PageGroup::most]) {
     const drawing::Layer& layer = drawing.layers[number];
     if (layer.layer < 0) {
@@ -234,8 +235,8 @@ void name_layer(const Drawing& drawing, std::int64_t number, char (&name)[PageGr
     }
     const marks::Layer& source = drawing.items[layer.item].set->layers[layer.layer];
     const bool contour = layer.mark_class == drawing::MarkClass::silhouette;
-    std::snprintf(name, sizeof name, "%.63s%s", source.name.data(), contour ? " contour" : "");
-    if (layer.ink_number >= 0) append(name, " ink", layer.ink_number + 1);
+    std::snprintf(name, sizeof name, "%.63s%s%s", source.name.data(), contour ? " contour" : "",
+                  layer.other_side ? " back" : "");
 }
 
 // The placement's viewport on the page.
@@ -269,23 +270,25 @@ PageGroup with_pen(PageGroup group, std::span<const Pen> pens) noexcept {
     return group;
 }
 
-// A group's name gets a number if earlier layers of the same name have ink. The number of the run is added after the
-// pen was chosen, so pens match names without it.
+// A group's name gets a number if earlier layers of the same name have drawn in the same ink of the palette. The number
+// of the run is added after the pen was chosen, so pens match names without it.
 PageGroup group_of(const Drawing& drawing, const Runs& runs, std::span<const Pen> pens, std::int64_t layer,
                    std::int32_t hidden, std::int32_t run) {
     PageGroup group;
     name_layer(drawing, layer, group.name);
     int namesakes = 0;
     char other[PageGroup::most];
+    const std::int32_t ink_number = drawing.layers[layer].ink_number;
     for (std::int64_t i = 0; i < layer; ++i) {
-        if (runs.has_layer[i] == 0) continue;
+        if (runs.has_layer[i] == 0 || drawing.layers[i].ink_number != ink_number) continue;
         name_layer(drawing, i, other);
         namesakes += std::string_view(group.name) == other ? 1 : 0;
     }
     if (namesakes > 0) append(group.name, "", namesakes + 1);
+    if (ink_number >= 0) append(group.name, " ink", ink_number + 1);
     if (hidden > 0) append(group.name, " hidden", hidden);
     group.ink = drawing.layers[layer].ink;
-    group.ink_number = drawing.layers[layer].ink_number;
+    group.ink_number = ink_number;
     group.pen = pen_of(1, group.ink_number);
     group = with_pen(group, pens);
     if (run > 0) append(group.name, ", run", run + 1);
