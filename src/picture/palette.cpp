@@ -3,6 +3,7 @@
 
 #include "api/views.h"
 #include "base/assert.h"
+#include "drawing/color.h"
 #include "picture/tuning_plan.h"
 
 #include <hrbfnpr.h>
@@ -15,26 +16,15 @@ namespace {
 
 using Hue = std::array<double, 2>; // the two axes of colour in Oklab; grey is 0, 0
 
-double linear_of(double coded) noexcept {
-    return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
-}
-
-double coded_of(double linear) noexcept {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
-// Converts between sRGB and Oklab [Ottosson 2020]. The lightness of a colour is left out, because the tone shows it.
+// The lightness of a colour is left out, because the tone shows it.
 Hue hue_of(const std::array<float, 3>& rgb) noexcept {
-    const double r = linear_of(static_cast<double>(rgb[0]));
-    const double g = linear_of(static_cast<double>(rgb[1]));
-    const double b = linear_of(static_cast<double>(rgb[2]));
-    const double l = std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
-    const double m = std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
-    const double s = std::cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
-    return {1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
-            0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
+    glm::dvec3 linear;
+    for (int i = 0; i < 3; ++i) linear[i] = drawing::to_linear(static_cast<double>(rgb[static_cast<std::size_t>(i)]));
+    const glm::dvec3 lab = drawing::oklab_of(linear);
+    return {lab.y, lab.z};
 }
 
+// Converts Oklab to linear light.
 std::array<double, 3> linear_rgb_of(double lightness, const Hue& hue) noexcept {
     const auto cube = [](double x) { return x * x * x; };
     const double l = cube(lightness + 0.3963377774 * hue[0] + 0.2158037573 * hue[1]);
@@ -113,7 +103,8 @@ std::array<float, 4> ink_of(const Hue& hue) noexcept {
     std::array<float, 4> ink{0.0F, 0.0F, 0.0F, 1.0F};
     // Inks have 8 bits, so that the note about them names them exactly.
     for (std::size_t i = 0; i < 3; ++i)
-        ink[i] = static_cast<float>(std::nearbyint(255.0 * coded_of(std::clamp(linear[i], 0.0, 1.0))) / 255.0);
+        ink[i] =
+            static_cast<float>(std::nearbyint(255.0 * drawing::from_linear(std::clamp(linear[i], 0.0, 1.0))) / 255.0);
     return ink;
 }
 

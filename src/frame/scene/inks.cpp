@@ -18,16 +18,6 @@ namespace {
     return {drawing::to_linear(c.x), drawing::to_linear(c.y), drawing::to_linear(c.z)};
 }
 
-// Converts linear light to Oklab. [Ottosson 2020, "A perceptual color space for image processing"]
-[[nodiscard]] glm::vec3 oklab_of(const glm::vec3& c) noexcept {
-    const float l = std::cbrt(0.4122214708F * c.x + 0.5363325363F * c.y + 0.0514459929F * c.z);
-    const float m = std::cbrt(0.2119034982F * c.x + 0.6806995451F * c.y + 0.1073969566F * c.z);
-    const float s = std::cbrt(0.0883024619F * c.x + 0.2817188376F * c.y + 0.6299787005F * c.z);
-    return {0.2104542553F * l + 0.7936177850F * m - 0.0040720468F * s,
-            1.9779984951F * l - 2.4285922050F * m + 0.4505937099F * s,
-            0.0259040371F * l + 0.7827717662F * m - 0.8086757660F * s};
-}
-
 [[nodiscard]] float squared(const glm::vec3& v) noexcept { return glm::dot(v, v); }
 
 // Returns a number from 0 to 1. Those of consecutive indices are spread evenly, however many there are.
@@ -45,7 +35,7 @@ InkChoice::InkChoice(const marks::Layer& layer, const marks::MarkField& colors, 
     HRBFNPR_ASSERT(!palette.empty() && palette.size() <= most_inks && colors.kind == marks::FieldKind::colour);
     for (std::size_t i = 0; i < palette.size(); ++i) {
         linear_[i] = linear_of(glm::vec3(palette[i]));
-        lab_[i] = oklab_of(linear_[i]);
+        lab_[i] = drawing::oklab_of(linear_[i]);
     }
     if (rule == PaletteRule::mixed) add_mixtures();
 }
@@ -76,7 +66,7 @@ void InkChoice::add_mixtures() noexcept {
 }
 
 std::uint8_t InkChoice::nearest(const glm::vec3& color) const noexcept {
-    const glm::vec3 lab = oklab_of(linear_of(color));
+    const glm::vec3 lab = drawing::oklab_of(linear_of(color));
     std::int32_t best = 0;
     float least = std::numeric_limits<float>::infinity();
     for (std::int32_t i = 0; i < count_; ++i) {
