@@ -38,21 +38,13 @@ FieldValues values_at(const Field& field, std::size_t components, std::int64_t c
     return found;
 }
 
-double dot_of(const double* a, const double* b, std::size_t count) noexcept {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < count; ++k) sum += a[k] * b[k];
-    return sum;
-}
-
 std::uint32_t kind_of_map(std::uint32_t map) noexcept {
     return map == HRBFNPR_DAB_DIRECTION ? HRBFNPR_FIELD_KIND_DIRECTION : HRBFNPR_FIELD_KIND_SCALAR;
 }
 
 std::shared_ptr<const HeldField> held_over(const Call& call, const Field& below, const Field& above,
                                            bool is_direction) {
-    const std::size_t components = is_direction ? 3 : 1;
-    auto held = std::make_shared<HeldField>(
-        FieldOver{&call.pool.memory(), below, above, components, is_direction, is_direction});
+    auto held = std::make_shared<HeldField>(FieldOver{&call.pool.memory(), below, above, is_direction});
     auto desc = defaults<hrbfnpr_field_desc>(hrbfnpr_field_desc_init);
     desc.kind = is_direction ? HRBFNPR_FIELD_KIND_DIRECTION : HRBFNPR_FIELD_KIND_SCALAR;
     desc.source = HRBFNPR_FIELD_SOURCE_FUNCTION;
@@ -70,21 +62,20 @@ std::int32_t values_over(void* user, std::int64_t count, const double* positions
                          double* weights) noexcept {
     HRBFNPR_ASSERT(user != nullptr && count >= 0);
     const auto& over = *static_cast<const FieldOver*>(user);
-    const std::size_t components = over.components;
+    const std::size_t components = over.is_direction ? 3 : 1;
     try {
         Pool pool(*over.memory);
-        FieldValues below = values_at(over.below, components, count, positions, normals, pool);
+        const FieldValues below = values_at(over.below, components, count, positions, normals, pool);
         const FieldValues above = values_at(over.above, components, count, positions, normals, pool);
         for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
             const double* const upper = above.values.data() + components * i;
-            double* const lower = below.values.data() + components * i;
-            const double share = over.is_full && above.weights[i] > 0.0 ? 1.0 : above.weights[i];
+            const double* const lower = below.values.data() + components * i;
+            const double share = over.is_direction && above.weights[i] > 0.0 ? 1.0 : above.weights[i];
             const double rest = (1.0 - share) * below.weights[i];
-            const double sign = over.is_direction && dot_of(upper, lower, components) < 0.0 ? -1.0 : 1.0;
             weights[i] = std::min(1.0, share + rest);
             for (std::size_t k = 0; k < components; ++k)
                 values[components * i + k] =
-                    share + rest > 0.0 ? (share * upper[k] + sign * rest * lower[k]) / (share + rest) : 0.0;
+                    share + rest > 0.0 ? (share * upper[k] + rest * lower[k]) / (share + rest) : 0.0;
         }
     } catch (...) {
         return 1;

@@ -18,9 +18,7 @@ struct FieldOver {
     base::Memory* memory;
     Field below; // may be null
     Field above;
-    std::size_t components; // the count of numbers of a value
-    bool is_direction;      // true if values have no sign
-    bool is_full;           // true if each weight of `above` that is not 0 counts as 1
+    bool is_direction; // true if values have three numbers, and each weight of `above` that is not 0 counts as 1
 };
 
 // Implements hrbfnpr_field_fn. Its `user` is a FieldOver.

@@ -125,7 +125,7 @@ TEST(Paint, NumbersLieOverOthers) {
     }
 }
 
-TEST(Paint, DirectionsLieOverOthersWithoutASign) {
+TEST(Paint, DirectionsReplaceOthersInTheWholeDab) {
     auto dab = two_dabs(HRBFNPR_DAB_DIRECTION)[0];
     dab.strength = 0.25;
     PlannedCall given;
@@ -139,16 +139,6 @@ TEST(Paint, DirectionsLieOverOthersWithoutASign) {
     EXPECT_NEAR(both.values[10] / both.values[9], 1.0, 1e-15); // far from it
     EXPECT_EQ(both.weights[0], 1.0);
     EXPECT_EQ(both.weights[3], 1.0);
-    FieldOver half{&call.pool.memory(),
-                   below,
-                   constant_field(call, HRBFNPR_FIELD_KIND_DIRECTION, {1.0, 0.9, 0.0}),
-                   3,
-                   true,
-                   false};
-    std::array<double, 3> value{};
-    double weight = 1.0;
-    ASSERT_EQ(values_over(&half, 1, &places[0].x, &normals[0].x, value.data(), &weight), 0);
-    EXPECT_NEAR(value[1], 0.9, 1e-6); // The lower direction is turned, and does not cancel the upper one.
 }
 
 } // namespace
