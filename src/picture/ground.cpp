@@ -233,10 +233,11 @@ void light_ground(Style& style) {
 }
 
 // Returns the light of open ground: the least at the corners, as lights at places are less bright far from them.
-double open_light(const Ground& ground, std::span<const GroundLamp> lamps) noexcept {
+double open_light(const Ground& ground, const hrbfnpr_camera& camera) noexcept {
     const hrbfnpr_style& base = ground.style.base;
     double sum = 0.0;
-    for (const GroundLamp& lamp : lamps) {
+    for (const hrbfnpr_light& light : ground.style.lights) {
+        const GroundLamp lamp = lamp_in_world(light, camera);
         double least = std::numeric_limits<double>::infinity();
         for (const glm::dvec3& corner : ground.corners) {
             const double facing = std::max(glm::dot(lamp.towards(corner), ground.plane.up), 0.0);
@@ -257,9 +258,9 @@ double open_ambient(const Ground& ground) noexcept {
 
 // Makes ambient light if the style has none, so that the ground is darker beside the object. Strong ambient light is
 // made weaker, because shadows would be pale.
-void set_ambient_of_ground(std::span<const GroundLamp> lamps, Ground& ground) noexcept {
+void set_ambient_of_ground(const hrbfnpr_camera& camera, Ground& ground) noexcept {
     hrbfnpr_style& base = ground.style.base;
-    const double direct = open_light(ground, lamps);
+    const double direct = open_light(ground, camera);
     const double wanted = ground_tuning.ambient * (direct > 0.0 ? direct : 1.0);
     const double given = open_ambient(ground);
     if (!(given > 0.0)) {
@@ -462,10 +463,7 @@ bool sees_ground(const hrbfnpr_camera& camera, const GroundPlane& plane) noexcep
 
 void set_ground_light(const hrbfnpr_camera& camera, Ground& ground) {
     hrbfnpr_style& base = ground.style.base;
-    std::array<GroundLamp, 8> lamps{};
-    const std::size_t count = std::min(lamps.size(), ground.style.lights.size());
-    for (std::size_t i = 0; i < count; ++i) lamps[i] = lamp_in_world(ground.style.lights[i], camera);
-    const double open = open_light(ground, std::span(lamps).first(count)) + open_ambient(ground);
+    const double open = open_light(ground, camera) + open_ambient(ground);
     base.tone_white =
         static_cast<float>(std::clamp(open * (1.0 - ground_tuning.white_share), ground_tuning.least_light, 16.0));
     base.tone_black = std::min(ground.black, ground_tuning.most_black * base.tone_white);
@@ -481,7 +479,7 @@ void place_ground(const Call& call, const GroundPlan& plan, Ground& ground) {
     ground.style = Style(plan.style);
     ground.black = plan.style.base.tone_black;
     light_ground(ground.style);
-    set_ambient_of_ground(lamps_of(ground.style, plan.camera, call.pool), ground);
+    set_ambient_of_ground(plan.camera, ground);
     find_dark_part(call, plan, ground);
     std::erase_if(ground.style.lines,
                   [](const hrbfnpr_line_style& line) { return line.kind != HRBFNPR_LINE_KIND_SHADOW; });
