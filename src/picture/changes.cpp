@@ -5,6 +5,7 @@
 
 #include "api/lists.h"
 #include "base/utf8.h"
+#include "frame/scene/style.h"
 #include "picture/field_names.h"
 #include "picture/field_table.h"
 #include "picture/handles.h"
@@ -151,7 +152,7 @@ struct ChangeTarget {
     while (!text.empty()) {
         const std::size_t comma = text.find(',');
         const std::optional<FieldValue> ink = parse_value(ink_field(), text.substr(0, comma));
-        if (text.front() != '#' || !ink || inks.size() == settings_tuning.most_inks) return std::nullopt;
+        if (text.front() != '#' || !ink || std::ssize(inks) == frame::most_inks) return std::nullopt;
         std::array<float, 4>& to = inks.emplace_back();
         for (std::size_t i = 0; i < to.size(); ++i) to[i] = static_cast<float>(ink->numbers[i]);
         if (comma == text.size() - 1) return std::nullopt;
@@ -162,8 +163,8 @@ struct ChangeTarget {
 
 void check_palette(const char* name, std::string_view value, Pool& pool) {
     if (parse_palette(value, pool)) return;
-    fail(Status::invalid_argument, "%s.value of style.palette is \"%.60s\"; it must be 1 to %zu colours #rrggbb, %s",
-         name, String(value, &pool).c_str(), settings_tuning.most_inks, "with commas between");
+    fail(Status::invalid_argument, "%s.value of style.palette is \"%.60s\"; it must be 1 to %d colours #rrggbb, %s",
+         name, String(value, &pool).c_str(), static_cast<int>(frame::most_inks), "with commas between");
 }
 
 // A use of a field, and the path of the change that sets it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "picture/lights.h"
 
+#include "frame/scene/style.h"
 #include "picture/field_table.h"
 
 #include <algorithm>
@@ -65,11 +66,11 @@ bool is_list_of_lights(std::string_view text) noexcept { return text.find_first_
 
 std::optional<Vector<hrbfnpr_light>> read_lights(std::string_view text, const hrbfnpr_light& first,
                                                  const hrbfnpr_light& others, Pool& pool) {
-    constexpr std::size_t most_lights = 8;
     Vector<hrbfnpr_light> lights(&pool);
     do {
         lights.push_back(lights.empty() ? first : others);
-        if (lights.size() > most_lights || !set_light(next_part(text, ';'), lights.back())) return std::nullopt;
+        if (std::ssize(lights) > frame::most_lights || !set_light(next_part(text, ';'), lights.back()))
+            return std::nullopt;
     } while (!text.empty());
     return lights;
 }

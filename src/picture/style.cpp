@@ -4,6 +4,7 @@
 #include "api/lists.h"
 #include "api/views.h"
 #include "base/assert.h"
+#include "frame/scene/style.h"
 #include "picture/handles.h"
 
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace {
 
 // The largest number of elements in a list that the library accepts.
 constexpr std::int64_t most_style_elements = 65536;
-constexpr std::int64_t most_inks = 8;
 
 bool same_style_name(const char* a, const char* b) noexcept {
     return a == b || (a != nullptr && b != nullptr && std::strcmp(a, b) == 0);
@@ -150,9 +150,9 @@ void Style::take_lists(const hrbfnpr_style& given) {
     for (std::int64_t i = 0; i < all_layers.count(); ++i) {
         keep_texts(layers.emplace_back(all_layers[i]));
     }
-    if (given.palette_count < 0 || given.palette_count > most_inks)
+    if (given.palette_count < 0 || given.palette_count > frame::most_inks)
         fail(Status::invalid_argument, "style.palette_count is %lld; it must be from 0 to %lld",
-             static_cast<long long>(given.palette_count), static_cast<long long>(most_inks));
+             static_cast<long long>(given.palette_count), static_cast<long long>(frame::most_inks));
     if (given.palette_count > 0 && given.palette == nullptr) fail(Status::invalid_argument, "style.palette is NULL");
     for (std::int64_t i = 0; i < given.palette_count; ++i) {
         std::array<float, 4>& ink = palette.emplace_back();

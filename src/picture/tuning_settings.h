@@ -18,8 +18,6 @@ struct SettingsTuning {
     std::int64_t most_changes = 100'000;
     std::size_t longest_path = 128;
     std::size_t longest_value = 4096;
-    // The largest number of inks of a palette, as in hrbfnpr_style.
-    std::size_t most_inks = 8;
 };
 
 inline constexpr SettingsTuning settings_tuning;
