@@ -205,7 +205,7 @@ hrbfnpr_line_set_info describe(const hrbfnpr_line_set& set) noexcept {
     info.seconds = set.lines.seconds();
     info.left_out = set.lines.left_out();
     info.creases = set.lines.creases().count();
-    info.bytes = set.lines.bytes();
+    info.bytes = set.bytes();
     return info;
 }
 
@@ -232,6 +232,11 @@ const curves::RayMesh& hrbfnpr_line_set::ray_mesh(const base::Progress& progress
     const std::scoped_lock lock(preparing_);
     if (ray_mesh_ == nullptr) ray_mesh_ = std::move(made);
     return *ray_mesh_;
+}
+
+std::int64_t hrbfnpr_line_set::bytes() const noexcept {
+    const std::scoped_lock lock(preparing_);
+    return lines.bytes() + (ray_mesh_ != nullptr ? ray_mesh_->tree.bytes() : 0);
 }
 
 extern "C" {

@@ -17,6 +17,9 @@ struct hrbfnpr_line_set : hrbfnpr::api::Child {
     // Returns the mesh with a hierarchy of boxes over its triangles. The first call makes it. Any thread may call this.
     [[nodiscard]] const hrbfnpr::curves::RayMesh& ray_mesh(const hrbfnpr::base::Progress& progress) const;
 
+    // Returns the memory of the lines and of that mesh, if it was made. Any thread may call this.
+    [[nodiscard]] std::int64_t bytes() const noexcept;
+
     const hrbfnpr_model& model;
     const hrbfnpr::curves::LineSet lines;
 

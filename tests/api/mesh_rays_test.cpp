@@ -99,11 +99,11 @@ LineSet lined(const Context& context, const Model& model) {
     return LineSet(lines);
 }
 
-double side_of(const LineSet& lines) {
+hrbfnpr_line_set_info about(const LineSet& lines) {
     Error error;
     auto info = made(hrbfnpr_line_set_info_init);
     EXPECT_OK(hrbfnpr_line_set_get_info(lines.get(), &info, error));
-    return info.cell_size;
+    return info;
 }
 
 // Expects the hits of the call without a mesh, except for rays that touch the surface. Returns the number of hits.
@@ -142,11 +142,23 @@ TEST(MeshRays, HaveTheHitsOfTheSearch) {
         EXPECT_GT(expect_same(bundle, cast(model, bundle, at_most(room, &lines)), wanted, 1e-8, 1e-5), rays);
         auto on_mesh = at_most(room, &lines);
         on_mesh.refine = 0;
-        const double side = side_of(lines);
+        const double side = about(lines).cell_size;
         const Hits rough = cast(model, bundle, on_mesh);
         EXPECT_GT(expect_same(bundle, rough, wanted, 2.0 * side * side, 0.2), rays);
         EXPECT_NE(rough.position, wanted.position);
     }
+}
+
+TEST(MeshRays, TheirMeshIsPartOfTheBytesOfTheLineSet) {
+    const Context context = make_context();
+    const Model model = fit(context, scenes::torus(1500));
+    const LineSet lines = lined(context, model);
+    const hrbfnpr_line_set_info before = about(lines);
+    (void)cast(model, random_rays(5), at_most(room, &lines));
+    const std::int64_t made_bytes = about(lines).bytes - before.bytes;
+    EXPECT_GT(made_bytes, 12 * before.triangles);
+    (void)cast(model, random_rays(6), at_most(room, &lines));
+    EXPECT_EQ(about(lines).bytes - before.bytes, made_bytes);
 }
 
 TEST(MeshRays, EndAfterTheHitsThatAreWanted) {

@@ -251,7 +251,12 @@ struct Scene {
     [[nodiscard]] std::int64_t place_count() const noexcept {
         return runs.empty() ? 0 : runs.span().back().first_place + runs.span().back().places();
     }
-    [[nodiscard]] std::int64_t bytes() const noexcept { return items.bytes() + runs.bytes() + turned_normal.bytes(); }
+    [[nodiscard]] std::int64_t bytes() const noexcept {
+        std::int64_t sum = items.bytes() + runs.bytes() + inks.bytes() + turned_normal.bytes();
+        for (const marks::MarkClusters& clusters : posed) sum += clusters.bytes();
+        for (const marks::MarkClusters& clusters : turned) sum += clusters.bytes();
+        return sum;
+    }
 };
 
 // Sets lens, camera, items and runs of the scene, and window, paper, layers, items, runs and poses of the drawing. The
