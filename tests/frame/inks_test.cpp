@@ -134,6 +134,46 @@ TEST_F(Inks, MixedInksHaveTheMeanOfTheColor) {
     }
 }
 
+// The shares of red, green and blue tell hue and saturation. Inks that are lighter or darker than a colour keep them.
+TEST_F(Inks, MixedInksHaveTheHueOfDarkerAndLighterColors) {
+    set = clustered(runtime, plane(runtime.memory, 4));
+    add_field(set.layers[0], "color", marks::FieldKind::colour, [](const glm::dvec3&) { return glm::dvec3(0.5); });
+    const frame::InkChoice choice(set.layers[0], set.layers[0].fields[0], palette, PaletteRule::mixed);
+    const auto ink = [](std::size_t k) { return linear(glm::dvec3(glm::vec3(palette[k]))); };
+    const auto chromaticity = [](const glm::dvec3& c) { return c / (c.x + c.y + c.z); };
+    for (std::size_t a = 0; a < palette.size(); ++a)
+        for (std::size_t b = 0; b < palette.size(); ++b)
+            for (const double share : {0.0, 0.3, 0.6})
+                for (const double light : {0.1, 0.3, 0.6, 1.1}) {
+                    const glm::dvec3 wanted = light * ((1.0 - share) * ink(a) + share * ink(b));
+                    const glm::vec3 color(encoded(wanted.x), encoded(wanted.y), encoded(wanted.z));
+                    glm::dvec3 sum(0.0);
+                    constexpr int thresholds = 200;
+                    for (int k = 0; k < thresholds; ++k)
+                        sum += ink(choice.mixed(color, (static_cast<float>(k) + 0.5F) / thresholds) - 1U);
+                    EXPECT_LT(glm::distance(chromaticity(sum), chromaticity(wanted)), 0.035)
+                        << a << ' ' << b << ' ' << share << ' ' << light;
+                }
+}
+
+// Greys have no hue, so they are mixed from black and white by their lightness.
+TEST_F(Inks, MixedInksShowGreysByTheirLightness) {
+    constexpr std::array greys{glm::vec4(0, 0, 0, 1), glm::vec4(1, 1, 1, 1), glm::vec4(0.8, 0.1, 0.1, 1)};
+    set = clustered(runtime, plane(runtime.memory, 4));
+    add_field(set.layers[0], "color", marks::FieldKind::colour, [](const glm::dvec3&) { return glm::dvec3(0.5); });
+    const frame::InkChoice choice(set.layers[0], set.layers[0].fields[0], greys, PaletteRule::mixed);
+    for (const double light : {0.0, 0.05, 0.2, 0.5, 0.9}) {
+        const glm::vec3 color(static_cast<float>(encoded(light)));
+        int white = 0;
+        for (int k = 0; k < 200; ++k) {
+            const int chosen = choice.mixed(color, (static_cast<float>(k) + 0.5F) / 200.0F);
+            ASSERT_LE(chosen, 2);
+            white += chosen == 2 ? 1 : 0;
+        }
+        EXPECT_NEAR(white / 200.0, light, 0.01);
+    }
+}
+
 TEST_F(Inks, AColorOfThePaletteIsNotMixed) {
     set = clustered(runtime, plane(runtime.memory, 40));
     add_field(set.layers[0], "color", marks::FieldKind::colour,

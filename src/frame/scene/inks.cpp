@@ -20,6 +20,12 @@ namespace {
 
 [[nodiscard]] float squared(const glm::vec3& v) noexcept { return glm::dot(v, v); }
 
+// Returns the shares of red, green and blue in a colour. They tell its hue and saturation. Black counts as grey.
+[[nodiscard]] glm::vec3 chromaticity_of(const glm::vec3& c) noexcept {
+    constexpr float black = 3e-4F; // The smallest step of a colour of 8 bits.
+    return (c + black) / (c.x + c.y + c.z + 3.0F * black);
+}
+
 // Returns a number from 0 to 1. Those of consecutive indices are spread evenly, however many there are.
 // [the golden ratio: Knuth, "The Art of Computer Programming" 3, section 6.4]
 [[nodiscard]] float evenly_spread(std::int64_t index) noexcept {
@@ -40,26 +46,34 @@ InkChoice::InkChoice(const marks::Layer& layer, const marks::MarkField& colors, 
     if (rule == PaletteRule::mixed) add_mixtures();
 }
 
+// The foot of the perpendicular from black to the line or plane of the means gives `level`.
+void InkChoice::add_mixture(const std::array<std::uint8_t, 3>& ink, const glm::vec3& first,
+                            const glm::vec3& second) noexcept {
+    const glm::vec3& a = linear_[ink[0]];
+    const glm::vec3 foot = a - glm::dot(first, a) * (linear_[ink[1]] - a) - glm::dot(second, a) * (linear_[ink[2]] - a);
+    const float square = squared(foot);
+    mixture_[static_cast<std::size_t>(mixtures_++)] = {ink, first, second,
+                                                       square > 1e-6F ? foot / square : glm::vec3(0.0F)};
+}
+
 void InkChoice::add_mixtures() noexcept {
-    const auto add = [&](const Mixture& mixture) { mixture_[static_cast<std::size_t>(mixtures_++)] = mixture; };
     const auto number = [](std::int32_t ink) { return static_cast<std::uint8_t>(ink); };
     const auto at = [&](std::int32_t ink) { return linear_[static_cast<std::size_t>(ink)]; };
+    const glm::vec3 none(0.0F);
     for (std::int32_t a = 0; a < count_; ++a) {
-        add({{number(a), 0, 0}, 1, glm::vec3(0.0F), glm::vec3(0.0F)});
+        add_mixture({number(a), 0, 0}, none, none);
         for (std::int32_t b = a + 1; b < count_; ++b) {
             const glm::vec3 side = at(b) - at(a);
             const float square = squared(side);
             if (!(square > 0.0F)) continue;
-            add({{number(a), number(b), 0}, 2, side / square, glm::vec3(0.0F)});
+            add_mixture({number(a), number(b), 0}, side / square, none);
             for (std::int32_t c = b + 1; c < count_; ++c) {
                 const glm::vec3 other = at(c) - at(a);
                 const float both = glm::dot(side, other);
                 const float area = square * squared(other) - both * both;
                 if (!(area > 1e-9F)) continue; // The three colours are in a line.
-                add({{number(a), number(b), number(c)},
-                     3,
-                     (squared(other) * side - both * other) / area,
-                     (square * other - both * side) / area});
+                add_mixture({number(a), number(b), number(c)}, (squared(other) * side - both * other) / area,
+                            (square * other - both * side) / area);
             }
         }
     }
@@ -81,6 +95,7 @@ std::uint8_t InkChoice::nearest(const glm::vec3& color) const noexcept {
 std::uint8_t InkChoice::mixed(const glm::vec3& color, float threshold) const noexcept {
     HRBFNPR_ASSERT(mixtures_ > 0 && threshold >= 0.0F && threshold < 1.0F);
     const glm::vec3 wanted = linear_of(color);
+    const glm::vec3 chromaticity = chromaticity_of(wanted);
     const Mixture* best = nullptr;
     float least = std::numeric_limits<float>::infinity();
     float of_second = 0.0F, of_third = 0.0F;
@@ -89,14 +104,18 @@ std::uint8_t InkChoice::mixed(const glm::vec3& color, float threshold) const noe
         const glm::vec3& a = linear_[mixture.ink[0]];
         const glm::vec3& b = linear_[mixture.ink[1]];
         const glm::vec3& c = linear_[mixture.ink[2]];
-        const float second = glm::dot(mixture.first, wanted - a);
-        const float third = glm::dot(mixture.second, wanted - a);
+        // The colour becomes as light as the inks. The tone of the marks makes it lighter or darker.
+        const float along = glm::dot(mixture.level, wanted);
+        const glm::vec3 off = (along > 0.0F ? wanted / along : wanted) - a;
+        const float second = glm::dot(mixture.first, off);
+        const float third = glm::dot(mixture.second, off);
         if (!(second >= 0.0F && third >= 0.0F && second + third <= 1.0F)) continue;
         const float first = 1.0F - second - third;
         const glm::vec3 mean = first * a + second * b + third * c;
         // If several mixtures have nearly the same mean, the one of similar inks has the least grain.
         const float grain = first * squared(a - mean) + second * squared(b - mean) + third * squared(c - mean);
-        const float cost = squared(mean - wanted) + scene_tuning.grain_cost * grain;
+        const float cost = squared(chromaticity_of(mean) - chromaticity) +
+                           scene_tuning.lightness_cost * squared(mean - wanted) + scene_tuning.grain_cost * grain;
         if (!(cost < least)) continue;
         least = cost;
         best = &mixture;

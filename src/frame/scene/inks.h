@@ -30,19 +30,20 @@ public:
 
     // Returns the ink nearest to a colour in Oklab. Colours are sRGB-encoded.
     [[nodiscard]] std::uint8_t nearest(const glm::vec3& color) const noexcept;
-    // Returns one of at most three inks whose mean in linear light is nearest to the colour. Thresholds that are evenly
-    // spread from 0 to 1 give each of them its share.
+    // Returns one of at most three inks. Their mean in linear light has nearly the hue and saturation of the colour,
+    // and is as light as the inks allow. Thresholds that are evenly spread from 0 to 1 give each ink its share.
     [[nodiscard]] std::uint8_t mixed(const glm::vec3& color, float threshold) const noexcept;
 
 private:
     // One, two or three inks, which mix to a point, a segment or a triangle of linear colours.
     struct Mixture {
         std::array<std::uint8_t, 3> ink; // numbers in the palette
-        std::int32_t count;
-        glm::vec3 first, second; // dot products with these give the shares of the second and the third ink
+        glm::vec3 first, second;         // dot products with these give the shares of the second and the third ink
+        glm::vec3 level;                 // the dot product with this is 1 for all means; 0: there is no such vector
     };
     static constexpr std::size_t most_mixtures = 8 + 28 + 56;
 
+    void add_mixture(const std::array<std::uint8_t, 3>& ink, const glm::vec3& first, const glm::vec3& second) noexcept;
     void add_mixtures() noexcept;
 
     const marks::Layer* layer_;

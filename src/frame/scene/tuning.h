@@ -101,9 +101,12 @@ struct SceneTuning {
     // A part of a stroke in one ink is at least this many times as long as it is wide. Shorter parts take the ink of a
     // neighbour. Larger: fewer and longer parts, and colours with borders that are less exact.
     float shortest_in_ink = 2.0F;
-    // The cost of the variance of the colours of a mixture of inks. The square of the distance between its mean and the
-    // wanted colour has the cost 1. Larger: less grain and less exact colours.
-    float grain_cost = 1e-4F;
+    // Mixtures of inks are compared by their chromaticities; the square of a difference has the cost 1.
+    // `lightness_cost` is the cost of the square of the distance in linear light. Larger: colours that are darker or
+    // lighter than all inks change their hue. `grain_cost` is the cost of the variance of the inks' colours. Larger:
+    // less grain and less exact colours.
+    float lightness_cost = 2e-3F;
+    float grain_cost = 2e-7F;
 
     // The least |n . v| that is used where a disc of paper is pushed back. Larger: the paper of a layer hides ink of
     // the same layer near its contour.
