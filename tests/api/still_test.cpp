@@ -78,6 +78,9 @@ TEST_F(Still, RefusesOtherDrawings) {
     style.light[0] = 3.0;
     EXPECT_FAILS(draw(), HRBFNPR_STATUS_INVALID_ARGUMENT, "items[0].point_set has only the marks that another camera");
     style.light[0] = made(hrbfnpr_style_init).light[0];
+    style.occlusion_lights = 0.8F; // Darker hollows need more marks.
+    EXPECT_FAILS(draw(), HRBFNPR_STATUS_INVALID_ARGUMENT, "items[0].point_set has only the marks that another camera");
+    style.occlusion_lights = 0.0F;
     item.transform[12] = 0.1;
     EXPECT_FAILS(draw(), HRBFNPR_STATUS_INVALID_ARGUMENT, "items[0].point_set has only the marks that another camera");
     item.transform[12] = 0.0;

@@ -52,6 +52,7 @@ base::Array<double> still_key(base::Memory& memory, const Still& still) {
     for (int i = 0; i < 3; ++i) add(style.ambient_up[i]);
     add(style.occlusion);
     add(style.occlusion_exponent);
+    add(style.occlusion_lights);
     add(style.rim_light);
     add(style.rim_exponent);
     add(style.tone_black);
