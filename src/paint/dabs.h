@@ -31,7 +31,6 @@ public:
     Dabs(base::Memory& memory, FieldKind kind, std::span<const Dab> dabs);
 
     [[nodiscard]] Sample at(const Place& place) const noexcept;
-    [[nodiscard]] std::int64_t bytes() const noexcept { return dabs_.bytes() + cells_.bytes(); }
 
 private:
     struct CellDab {

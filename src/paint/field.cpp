@@ -8,17 +8,6 @@
 
 namespace hrbfnpr::paint {
 
-std::int64_t Field::bytes() const noexcept {
-    struct BytesOf {
-        std::int64_t operator()(const PlaceFunction& /*function*/) const noexcept { return 0; }
-        std::int64_t operator()(const PointValues& values) const noexcept { return values.bytes(); }
-        std::int64_t operator()(const TriangleValues& values) const noexcept { return values.bytes(); }
-        std::int64_t operator()(const Dabs& dabs) const noexcept { return dabs.bytes(); }
-        std::int64_t operator()(const Projection& image) const noexcept { return image.bytes(); }
-    };
-    return std::visit(BytesOf{}, source_);
-}
-
 Sample Field::at(const Place& place) const noexcept {
     if (const auto* const triangles = std::get_if<TriangleValues>(&source_)) return triangles->at(place.position);
     if (const auto* const points = std::get_if<PointValues>(&source_)) return points->at(place.position);

@@ -47,7 +47,6 @@ public:
     [[nodiscard]] bool needs_normals() const noexcept {
         return !std::holds_alternative<PointValues>(source_) && !std::holds_alternative<TriangleValues>(source_);
     }
-    [[nodiscard]] std::int64_t bytes() const noexcept;
 
     // Calls write(i, sample) with the sample at read(i), a Place, for each i from 0 to count - 1. Both run on
     // all threads, except that places of a function are read and written on the calling thread. Throws Error{callback}

@@ -21,7 +21,6 @@ public:
                 double reach);
 
     [[nodiscard]] Sample at(const glm::dvec3& place) const noexcept;
-    [[nodiscard]] std::int64_t bytes() const noexcept { return values_.bytes() + 11 * 8 * tree_.size(); }
 
 private:
     geometry::PointTree tree_;
@@ -40,9 +39,6 @@ public:
                    FieldKind kind, base::Array<double>&& values, double reach);
 
     [[nodiscard]] Sample at(const glm::dvec3& place) const noexcept;
-    [[nodiscard]] std::int64_t bytes() const noexcept {
-        return points_.bytes() + triangles_.bytes() + tree_.bytes() + values_.bytes();
-    }
 
 private:
     base::Array<glm::dvec3> points_;

@@ -46,7 +46,6 @@ public:
     Projection(Pixels&& pixels, const Projector& projector);
 
     [[nodiscard]] Sample at(const Place& place) const noexcept;
-    [[nodiscard]] std::int64_t bytes() const noexcept { return pixels_.number.bytes(); }
 
 private:
     [[nodiscard]] bool is_seen(const Place& place) const noexcept;
