@@ -11,6 +11,7 @@
 #include "api/lists.h"
 #include "api/operation.h"
 #include "api/point_set.h"
+#include "api/views.h"
 
 #include <glm/matrix.hpp>
 
@@ -131,24 +132,17 @@ hrbfnpr_point_set* with_fields(hrbfnpr_context& context, const hrbfnpr_point_set
 
 void view_field(const marks::PointSet& set, std::int64_t layer, const char* name, hrbfnpr_array& values,
                 hrbfnpr_array* weights) {
-    if (layer < 0 || layer >= set.layers.size())
-        fail(Status::invalid_argument, "layer is %lld; it must be at least 0 and below the number of layers, %lld",
-             static_cast<long long>(layer), static_cast<long long>(set.layers.size()));
+    const marks::Layer& own = layer_of(set, layer);
     require_pointer(name, "name");
     const marks::MarkField* const any = marks::field_of(set, name);
     if (any == nullptr)
         fail(Status::invalid_argument, "the set has no field \"%.63s\"; hrbfnpr_point_set_with_fields gives it one",
              name);
-    const marks::MarkField* const field = set.layers[layer].field_of(name);
-    const auto view = [](const base::Array<float>* array, int components) -> hrbfnpr_array {
-        if (array == nullptr || array->empty())
-            return {nullptr, 0, 4 * std::int64_t{components}, HRBFNPR_SCALAR_FLOAT32,
-                    static_cast<std::uint32_t>(components)};
-        return {array->data(), array->size() / components, 4 * std::int64_t{components}, HRBFNPR_SCALAR_FLOAT32,
-                static_cast<std::uint32_t>(components)};
-    };
-    values = view(field != nullptr ? &field->value : nullptr, marks::components_of(any->kind));
-    if (weights != nullptr) *weights = view(field != nullptr ? &field->weight : nullptr, 1);
+    const marks::MarkField* const field = own.field_of(name);
+    const base::Array<float> none(set.layers.memory());
+    values = packed_view(field != nullptr ? field->value : none, HRBFNPR_SCALAR_FLOAT32,
+                         static_cast<std::uint32_t>(marks::components_of(any->kind)));
+    if (weights != nullptr) *weights = packed_view(field != nullptr ? field->weight : none, HRBFNPR_SCALAR_FLOAT32, 1);
 }
 
 } // namespace

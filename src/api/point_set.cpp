@@ -4,6 +4,7 @@
 #include "api/barrier.h"
 #include "api/descriptor.h"
 #include "api/streams.h"
+#include "api/views.h"
 #include "io/files.h"
 #include "marks/fields.h"
 #include "marks/point_set.h"
@@ -84,13 +85,6 @@ hrbfnpr_point_set_info describe(const hrbfnpr_point_set& handle) noexcept {
     return info;
 }
 
-const marks::Layer& layer_of(const marks::PointSet& set, std::int64_t layer) {
-    if (layer < 0 || layer >= set.layers.size())
-        fail(Status::invalid_argument, "layer is %lld; it must be at least 0 and below the number of layers, %lld",
-             static_cast<long long>(layer), static_cast<long long>(set.layers.size()));
-    return set.layers[layer];
-}
-
 hrbfnpr_placement_info placement_of(const marks::Layer& layer, std::int32_t level) {
     if (level < 0 || level > layer.report.levels)
         fail(Status::invalid_argument, "level is %d; it must be from 0 to %d", static_cast<int>(level),
@@ -98,25 +92,19 @@ hrbfnpr_placement_info placement_of(const marks::Layer& layer, std::int32_t leve
     return describe(level < layer.report.level.size() ? layer.report.level[level] : marks::LevelReport{});
 }
 
-template <class T>
-hrbfnpr_array view(const base::Array<T>& array, std::uint32_t scalar, std::uint32_t components) noexcept {
-    return {array.empty() ? nullptr : array.data(), array.size() / components,
-            static_cast<std::int64_t>(sizeof(T)) * components, scalar, components};
-}
-
 hrbfnpr_array view_of(const marks::Layer& layer, std::uint32_t attribute) {
     switch (attribute) {
-    case HRBFNPR_MARK_ATTRIBUTE_POSITION: return view(layer.position, HRBFNPR_SCALAR_FLOAT32, 3);
-    case HRBFNPR_MARK_ATTRIBUTE_NORMAL: return view(layer.normal, HRBFNPR_SCALAR_FLOAT32, 3);
-    case HRBFNPR_MARK_ATTRIBUTE_DIRECTION: return view(layer.direction, HRBFNPR_SCALAR_FLOAT32, 3);
-    case HRBFNPR_MARK_ATTRIBUTE_CURVATURE: return view(layer.curvature, HRBFNPR_SCALAR_FLOAT32, 3);
-    case HRBFNPR_MARK_ATTRIBUTE_RANK: return view(layer.rank, HRBFNPR_SCALAR_FLOAT32, 1);
-    case HRBFNPR_MARK_ATTRIBUTE_LEVEL: return view(layer.level, HRBFNPR_SCALAR_UINT8, 1);
-    case HRBFNPR_MARK_ATTRIBUTE_STROKE: return view(layer.stroke, HRBFNPR_SCALAR_UINT32, 2);
-    case HRBFNPR_MARK_ATTRIBUTE_WIDTH: return view(layer.width, HRBFNPR_SCALAR_FLOAT32, 1);
-    case HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST: return view(layer.stroke_first, HRBFNPR_SCALAR_UINT32, 1);
-    case HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER: return view(layer.stroke_order, HRBFNPR_SCALAR_UINT32, 1);
-    case HRBFNPR_MARK_ATTRIBUTE_TONE_NORMAL: return view(layer.tone_normal, HRBFNPR_SCALAR_FLOAT32, 3);
+    case HRBFNPR_MARK_ATTRIBUTE_POSITION: return packed_view(layer.position, HRBFNPR_SCALAR_FLOAT32, 3);
+    case HRBFNPR_MARK_ATTRIBUTE_NORMAL: return packed_view(layer.normal, HRBFNPR_SCALAR_FLOAT32, 3);
+    case HRBFNPR_MARK_ATTRIBUTE_DIRECTION: return packed_view(layer.direction, HRBFNPR_SCALAR_FLOAT32, 3);
+    case HRBFNPR_MARK_ATTRIBUTE_CURVATURE: return packed_view(layer.curvature, HRBFNPR_SCALAR_FLOAT32, 3);
+    case HRBFNPR_MARK_ATTRIBUTE_RANK: return packed_view(layer.rank, HRBFNPR_SCALAR_FLOAT32, 1);
+    case HRBFNPR_MARK_ATTRIBUTE_LEVEL: return packed_view(layer.level, HRBFNPR_SCALAR_UINT8, 1);
+    case HRBFNPR_MARK_ATTRIBUTE_STROKE: return packed_view(layer.stroke, HRBFNPR_SCALAR_UINT32, 2);
+    case HRBFNPR_MARK_ATTRIBUTE_WIDTH: return packed_view(layer.width, HRBFNPR_SCALAR_FLOAT32, 1);
+    case HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST: return packed_view(layer.stroke_first, HRBFNPR_SCALAR_UINT32, 1);
+    case HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER: return packed_view(layer.stroke_order, HRBFNPR_SCALAR_UINT32, 1);
+    case HRBFNPR_MARK_ATTRIBUTE_TONE_NORMAL: return packed_view(layer.tone_normal, HRBFNPR_SCALAR_FLOAT32, 3);
     default:
         fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MARK_ATTRIBUTE_* (0 to 10)",
              attribute);
@@ -136,6 +124,14 @@ hrbfnpr_point_set* read_set(hrbfnpr_context& context, io::Reader& reader) {
 }
 
 } // namespace
+
+const marks::Layer& layer_of(const marks::PointSet& set, std::int64_t layer) {
+    if (layer < 0 || layer >= set.layers.size())
+        fail(Status::invalid_argument, "layer is %lld; it must be at least 0 and below the number of layers, %lld",
+             static_cast<long long>(layer), static_cast<long long>(set.layers.size()));
+    return set.layers[layer];
+}
+
 } // namespace hrbfnpr::api
 
 extern "C" {

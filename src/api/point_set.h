@@ -30,6 +30,9 @@ private:
 
 namespace hrbfnpr::api {
 
+// Returns a layer of a set. Throws Error{invalid_argument} if there is none of this number.
+[[nodiscard]] const marks::Layer& layer_of(const marks::PointSet& set, std::int64_t layer);
+
 // Prepares a new set for frames, and makes a handle of it.
 [[nodiscard]] hrbfnpr_point_set* adopt(hrbfnpr_context& context, marks::PointSet&& set);
 

@@ -40,6 +40,22 @@ constexpr std::int64_t most_kept = 4;
 
 using Items = List<hrbfnpr_item>;
 
+// The elements of a list, handed out from its begin.
+template <class T>
+class ListParts {
+public:
+    explicit ListParts(const base::Array<T>& list) noexcept : rest_(list.span()) {}
+
+    [[nodiscard]] std::span<const T> next(std::int64_t count) noexcept {
+        const std::span<const T> part = rest_.first(static_cast<std::size_t>(count));
+        rest_ = rest_.subspan(part.size());
+        return part;
+    }
+
+private:
+    std::span<const T> rest_;
+};
+
 // Reads and checks all items before a drawing is changed.
 class ItemReader {
 public:
@@ -51,31 +67,21 @@ public:
         renderer_.poses.clear();
         for (std::int64_t i = 0; i < items_.count(); ++i) read(items_[i], items_.name(i).text);
         // From here on, the arrays do not move, so spans of them stay valid.
-        std::size_t style = 0;
-        std::size_t line = 0;
-        std::size_t light = 0;
-        std::size_t ink = 0;
-        std::size_t pose = 0;
+        const StyleLists& lists = renderer_.styles;
+        ListParts layers(lists.layers);
+        ListParts lines(lists.lines);
+        ListParts lights(lists.lights);
+        ListParts palette(lists.palette);
+        ListParts poses(renderer_.poses);
         for (std::int64_t i = 0; i < items_.count(); ++i) {
             const hrbfnpr_item given = items_[i];
             frame::Item& item = renderer_.items[i];
             const hrbfnpr_style its = given.style == nullptr ? hrbfnpr_style{} : read_struct(given.style, "style");
-            item.style.layers =
-                std::as_const(renderer_.styles.layers).span().subspan(style, static_cast<std::size_t>(its.layer_count));
-            item.style.lines =
-                std::as_const(renderer_.styles.lines).span().subspan(line, static_cast<std::size_t>(its.line_count));
-            item.poses =
-                std::as_const(renderer_.poses).span().subspan(pose, static_cast<std::size_t>(given.pose_count));
-            item.style.lights =
-                std::as_const(renderer_.styles.lights).span().subspan(light, static_cast<std::size_t>(its.light_count));
-            item.style.palette = std::as_const(renderer_.styles.palette)
-                                     .span()
-                                     .subspan(ink, static_cast<std::size_t>(its.palette_count));
-            style += item.style.layers.size();
-            ink += item.style.palette.size();
-            light += item.style.lights.size();
-            line += item.style.lines.size();
-            pose += item.poses.size();
+            item.style.layers = layers.next(its.layer_count);
+            item.style.lines = lines.next(its.line_count);
+            item.style.lights = lights.next(its.light_count);
+            item.style.palette = palette.next(its.palette_count);
+            item.poses = poses.next(given.pose_count);
         }
     }
 

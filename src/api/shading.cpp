@@ -43,7 +43,7 @@ constexpr double lines_begin = 0.6; // the share of a shading's time after which
     using To = frame::ShadingSettings;
     return FieldTable{field("sky_rays", &Given::sky_rays, &To::sky_rays, rule::Between{1.0, 4096.0}),
                       field("shadow_rays", &Given::shadow_rays, &To::shadow_rays, rule::Between{1.0, 4096.0}),
-                      field("flags", &Given::flags, rule::Any{}),
+                      field("flags", &Given::flags, rule::Flags{HRBFNPR_SHADING_WITH_LINES}),
                       field("occlusion_reach", &Given::occlusion_reach, &To::reach, rule::Between{0.0, 100.0}),
                       field("previous", &Given::previous, rule::Any{}),
                       field("curvature_scale", &Given::curvature_scale, &To::curvature_scale, rule::Between{0.0, 1.0})};
@@ -74,10 +74,7 @@ hrbfnpr_shading* create(hrbfnpr_context& context, const hrbfnpr_occluders& occlu
     checks.not_null("point_set", item.point_set != nullptr);
     if (item.pose_count > 0) fail(Status::invalid_argument, "item.poses are given; posed marks cannot be shaded");
     shading_fields().check("shading_desc", desc);
-    const bool with_lines = desc.flags == HRBFNPR_SHADING_WITH_LINES;
-    if (desc.flags != 0 && !with_lines)
-        fail(Status::invalid_argument, "shading_desc.flags is %u; it must be 0 or HRBFNPR_SHADING_WITH_LINES",
-             desc.flags);
+    const bool with_lines = (desc.flags & HRBFNPR_SHADING_WITH_LINES) != 0;
     if (with_lines && item.line_set == nullptr)
         fail(Status::invalid_argument, "item.line_set is NULL; HRBFNPR_SHADING_WITH_LINES needs it, because borders of "
                                        "shadows lie on its surface");
@@ -114,14 +111,12 @@ hrbfnpr_shading* create(hrbfnpr_context& context, const hrbfnpr_occluders& occlu
     return use.finish_with(make_handle<hrbfnpr_shading>(context, *item.point_set, std::move(shading)));
 }
 
-hrbfnpr_array view_of(const frame::Shading& shading, std::int64_t layer, std::int64_t light) {
-    if (layer < 0 || layer >= shading.layers.size())
-        fail(Status::invalid_argument, "layer is %lld; it must be at least 0 and below the number of layers, %lld",
-             static_cast<long long>(layer), static_cast<long long>(shading.layers.size()));
+hrbfnpr_array view_of(const hrbfnpr_shading& handle, std::int64_t layer, std::int64_t light) {
+    (void)layer_of(handle.set.set, layer);
     if (light < -1 || light >= frame::most_lights)
         fail(Status::invalid_argument, "light is %lld; it must be from -1 to %lld", static_cast<long long>(light),
              static_cast<long long>(frame::most_lights - 1));
-    const std::span<const float> shares = shading.of_layer(layer, light);
+    const std::span<const float> shares = handle.shading.of_layer(layer, light);
     if (shares.empty() && light < 0)
         fail(Status::invalid_argument, "light is -1; the shading has no occlusion, because occlusion_reach was 0");
     if (shares.empty())
@@ -134,7 +129,6 @@ hrbfnpr_array view_of(const frame::Shading& shading, std::int64_t layer, std::in
 template <>
 hrbfnpr_shading_desc defaults() noexcept {
     hrbfnpr_shading_desc desc{};
-    desc.struct_size = sizeof desc;
     shading_fields().set_defaults(frame::ShadingSettings{}, desc);
     desc.occlusion_reach = 0.35;
     desc.curvature_scale = 0.02;
@@ -178,9 +172,8 @@ hrbfnpr_status hrbfnpr_shading_create(hrbfnpr_context* context, const hrbfnpr_oc
 hrbfnpr_status hrbfnpr_shading_view(const hrbfnpr_shading* shading, int64_t layer, int64_t light,
                                     hrbfnpr_array* out_view, hrbfnpr_error* error) {
     return api::guarded(error, [&] {
-        const frame::Shading& found = api::deref(shading, "shading").shading;
-        api::require_pointer(out_view, "out_view");
-        *out_view = api::view_of(found, layer, light);
+        const hrbfnpr_shading& handle = api::deref(shading, "shading");
+        api::deref(out_view, "out_view") = api::view_of(handle, layer, light);
     });
 }
 

@@ -85,14 +85,12 @@ void add_palette(const Style& style, const char* owner, base::Array<glm::vec4>& 
         fail(Status::invalid_argument, "%s.palette_count is %lld; it must be from 0 to %d", owner,
              static_cast<long long>(style.palette_count), static_cast<int>(frame::most_inks));
     Checks(owner).not_null("palette", style.palette_count == 0 || style.palette != nullptr);
-    for (std::int64_t i = 0; i < 4 * style.palette_count; ++i) {
-        const float number = style.palette[i];
-        if (!(number >= 0.0F && number <= 1.0F))
+    for (std::int64_t i = 0; i < 4 * style.palette_count; ++i)
+        if (!(style.palette[i] >= 0.0F && style.palette[i] <= 1.0F))
             fail(Status::invalid_argument, "%s.palette[%lld] is %g; it must be from 0 to 1", owner,
-                 static_cast<long long>(i), static_cast<double>(number));
-        if (i % 4 == 0) palette.push_back(glm::vec4(0.0F));
-        palette.back()[static_cast<int>(i % 4)] = number;
-    }
+                 static_cast<long long>(i), static_cast<double>(style.palette[i]));
+    for (const float* ink = style.palette; ink != style.palette + 4 * style.palette_count; ink += 4)
+        palette.push_back({ink[0], ink[1], ink[2], ink[3]});
 }
 
 // Tells whether the style's first light has no direction.

@@ -34,6 +34,13 @@ inline constexpr ArrayType number_type{1, float_types};
 // Copies the numbers element by element. Throws if a number is not finite.
 [[nodiscard]] base::Array<double> finite_numbers(base::Memory& memory, const hrbfnpr_array& array, const char* name,
                                                  ArrayType type);
+// Returns a view of a packed array, with the caller's constant for the type of its numbers.
+template <class T>
+[[nodiscard]] hrbfnpr_array packed_view(const base::Array<T>& array, std::uint32_t scalar,
+                                        std::uint32_t components) noexcept {
+    return {array.empty() ? nullptr : array.data(), array.size() / components,
+            static_cast<std::int64_t>(sizeof(T)) * components, scalar, components};
+}
 // `array` may be NULL if the caller does not need the result.
 [[nodiscard]] base::OutView out_view(const hrbfnpr_array_out* array, const char* name, ArrayType type,
                                      std::int64_t count);

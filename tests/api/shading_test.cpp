@@ -271,7 +271,7 @@ TEST_F(Shadings, OccludersKeepTheLineSets) {
 TEST_F(Shadings, WrongArgumentsAreRefused) {
     auto shading_desc = made(hrbfnpr_shading_desc_init);
     shading_desc.flags = 2;
-    EXPECT_FAILS(shade(items[0], &shading_desc), HRBFNPR_STATUS_INVALID_ARGUMENT, "shading_desc.flags is 2");
+    EXPECT_FAILS(shade(items[0], &shading_desc), HRBFNPR_STATUS_INVALID_ARGUMENT, "shading_desc.flags is 0x2");
     shading_desc.flags = HRBFNPR_SHADING_WITH_LINES;
     hrbfnpr_item without_lines = items[0];
     without_lines.line_set = nullptr;
