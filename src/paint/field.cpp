@@ -7,6 +7,13 @@
 #include <cmath>
 
 namespace hrbfnpr::paint {
+namespace {
+
+[[nodiscard]] bool is_finite(const glm::dvec3& v) noexcept {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+} // namespace
 
 Sample Field::at(const Place& place) const noexcept {
     if (const auto* const triangles = std::get_if<TriangleValues>(&source_)) return triangles->at(place.position);
@@ -16,11 +23,11 @@ Sample Field::at(const Place& place) const noexcept {
 }
 
 Sample Field::finished(Sample sample) const noexcept {
-    if (!(sample.weight > 0.0)) return {};
     if (kind_ == FieldKind::colour) sample.value = glm::clamp(sample.value, 0.0, 1.0);
     if (kind_ == FieldKind::scalar && range_[0] != range_[1])
         sample.value.x = std::clamp((sample.value.x - range_[0]) / (range_[1] - range_[0]), 0.0, 1.0);
-    return sample;
+    // Squares of coordinates and the length of the range may overflow. Then the field says nothing.
+    return sample.weight > 0.0 && is_finite(sample.value) ? sample : Sample{};
 }
 
 void Field::call_function(const PlaceFunction& function, std::int64_t count, Call& call) const {
@@ -36,8 +43,7 @@ void Field::call_function(const PlaceFunction& function, std::int64_t count, Cal
         if (!(sample.weight >= 0.0 && sample.weight <= 1.0))
             fail(Status::callback, "the function of a field gave the weight %g; weights must be from 0 to 1",
                  sample.weight);
-        const glm::dvec3& v = sample.value;
-        if (sample.weight > 0.0 && !(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)))
+        if (sample.weight > 0.0 && !is_finite(sample.value))
             fail(Status::callback,
                  "the function of a field gave a value that is not finite; give the weight 0 where there is no value");
     }

@@ -206,5 +206,20 @@ TEST_F(PaintPoints, RangesMapAndClamp) {
     EXPECT_EQ(mapped(10.0, 20.0, 21.0), 1.0);
 }
 
+TEST_F(PaintPoints, NumbersThatOverflowSayNothing) {
+    const auto weight_at = [&](double size, const std::array<double, 2>& range, double value) {
+        const std::vector<glm::dvec3> corners = {{0.0, 0.0, 0.0}, {size, 0.0, 0.0}, {0.0, size, 0.0}};
+        const Field field(FieldKind::scalar, range,
+                          TriangleValues(work, array_of(memory, corners), array_of<Triangle>(memory, {{0, 1, 2}}),
+                                         FieldKind::scalar, array_of<double>(memory, {value, value, value}), 0.0));
+        const Sample sample = samples_of(work, field, {{0.0, 0.0, 0.0}})[0];
+        EXPECT_TRUE(std::isfinite(sample.value.x));
+        return sample.weight;
+    };
+    EXPECT_EQ(weight_at(1e200, {0.0, 0.0}, 1.0), 0.0);
+    EXPECT_EQ(weight_at(1.0, {-1.7e308, 1.7e308}, 1e308), 0.0);
+    EXPECT_EQ(weight_at(1e70, {-1e300, 1e300}, 1.7e308), 1.0);
+}
+
 } // namespace
 } // namespace hrbfnpr::paint::points_test
