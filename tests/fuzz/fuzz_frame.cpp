@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Draws marks and lines with any cameras, styles, items and poses, and uses the drawings.
+// Draws marks and lines with any cameras, styles, fields, items and poses, and uses the drawings.
 #include "arrays.h"
 #include "drawings.h"
 #include "fields.h"
 #include "limits.h"
+#include "painted.h"
 #include "scenes.h"
 #include "support/preset_names.h"
+
+#include <optional>
 
 namespace {
 
@@ -55,6 +58,24 @@ struct Style {
     Style(const Style&) = delete;
     Style& operator=(const Style&) = delete;
 
+    // Lets the layers name fields of painted sets.
+    void use_fields(Input& input) {
+        static constexpr const char* hrbfnpr_layer_style::*numbers[] = {
+            &hrbfnpr_layer_style::density_field, &hrbfnpr_layer_style::tone_field, &hrbfnpr_layer_style::width_field,
+            &hrbfnpr_layer_style::mask_field};
+        for (hrbfnpr_layer_style& layer : layers) {
+            for (const auto name : numbers)
+                if (input.once_in(2)) layer.*name = field_names[HRBFNPR_FIELD_KIND_SCALAR];
+            if (input.once_in(2)) layer.ink_field = field_names[HRBFNPR_FIELD_KIND_COLOUR];
+            layer.tone_field_rule = static_cast<std::uint32_t>(input.below(2));
+            layer.palette_rule = static_cast<std::uint32_t>(input.below(2));
+        }
+        for (float& ink : inks) ink = static_cast<float>(input.unit());
+        if (input.once_in(16)) inks[input.below(std::size(inks))] = odd_float(0.5F, 1.0F, input);
+        style.palette = inks;
+        style.palette_count = static_cast<std::int64_t>(input.below(9));
+    }
+
     hrbfnpr_style style;
 
 private:
@@ -100,6 +121,7 @@ private:
     }
 
     static constexpr double levels[] = {0.1, 0.6};
+    float inks[4 * 8]{};
     std::vector<hrbfnpr_layer_style> layers;
     std::vector<hrbfnpr_line_style> lines;
     std::vector<hrbfnpr_light> lights;
@@ -238,7 +260,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Input input(data, size);
     Input ending(size > 0 ? data + size - 1 : data,
                  size > 0 ? 1 : 0); // the end of the first drawing depends on the last byte
-    const Style style(input);
+    Style style(input);
     const std::size_t count = count_of_items(input);
     const hrbfnpr_point_set* const set = scene_set(input.below(set_count));
     const Pose pose(set, input);
@@ -251,6 +273,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     create.expect(hrbfnpr_renderer_create(scene_context().handle, &renderer, create.error()));
     hrbfnpr_shading* const shading = input.once_in(4) ? some_shading(items, camera, input) : nullptr;
     if (shading != nullptr) items[input.below(items.size())].shading = shading;
+    std::optional<Paint> paint;
+    if (input.once_in(2)) {
+        paint.emplace(input);
+        for (hrbfnpr_item& item : items)
+            if (item.point_set != nullptr) item.point_set = paint->on(item.point_set, input);
+        style.use_fields(input);
+    }
     hrbfnpr_drawing* const first = draw(renderer, items, camera, input, ending);
     use(first, camera, input);
     if (input.once_in(3)) { // the lines start from those of the first drawing
