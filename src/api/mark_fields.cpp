@@ -117,6 +117,12 @@ hrbfnpr_point_set* with_fields(hrbfnpr_context& context, const hrbfnpr_point_set
     const OperationUse use(operation);
     const base::Work work{context.runtime, use.progress()};
     marks::PointSet set = marks::sharing_marks(memory, base.set, std::as_const(names).span());
+    const std::int64_t fields =
+        marks::field_count(set) +
+        std::count_if(given.begin(), given.end(), [](const GivenField& one) { return one.field != nullptr; });
+    if (fields > marks::most_fields)
+        fail(Status::invalid_argument, "the set would have %lld fields; it must have at most %lld",
+             static_cast<long long>(fields), static_cast<long long>(marks::most_fields));
     for (std::int64_t i = 0; i < given.size(); ++i) {
         if (given[i].field == nullptr) continue;
         const double begin = static_cast<double>(i) / static_cast<double>(given.size());
@@ -124,9 +130,6 @@ hrbfnpr_point_set* with_fields(hrbfnpr_context& context, const hrbfnpr_point_set
         for (marks::Layer& layer : set.layers)
             layer.fields.add(values_at_marks(work.without_progress(), set, layer, given[i]));
     }
-    if (marks::field_count(set) > marks::most_fields)
-        fail(Status::invalid_argument, "the set would have %lld fields; it must have at most %lld",
-             static_cast<long long>(marks::field_count(set)), static_cast<long long>(marks::most_fields));
     return use.finish_with(make_handle<hrbfnpr_point_set>(context, std::move(set), base));
 }
 

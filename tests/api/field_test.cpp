@@ -420,6 +420,25 @@ TEST_F(Fields, SetTheDirectionsOfHatching) {
                  HRBFNPR_STATUS_INVALID_ARGUMENT, "direction_field is a field of kind SCALAR");
 }
 
+TEST_F(Fields, AreAtMost64) {
+    const Field field = constant(1.0);
+    std::vector<std::string> names;
+    std::vector<hrbfnpr_mark_field> fields;
+    for (int i = 0; i < 65; ++i) names.push_back("f" + std::to_string(i));
+    for (const std::string& name : names) fields.push_back(named(name.c_str(), field));
+    const std::vector<hrbfnpr_mark_field> first(fields.begin(), fields.begin() + 40),
+        rest(fields.begin() + 39, fields.end());
+    PointSet some, more;
+    ASSERT_OK(with_fields(set, first, some));
+    EXPECT_FAILS(with_fields(some, rest, more), HRBFNPR_STATUS_INVALID_ARGUMENT, "the set would have 65 fields");
+    // One is replaced, and one is removed.
+    fields[0].field = nullptr;
+    std::vector<hrbfnpr_mark_field> changes(rest);
+    changes.push_back(fields[0]);
+    ASSERT_OK(with_fields(some, changes, more));
+    EXPECT_EQ(info_of(more).field_count, 64);
+}
+
 TEST_F(Fields, RefuseWrongInput) {
     Field field;
     auto desc = made(hrbfnpr_field_desc_init);
