@@ -62,9 +62,9 @@
  *   and output structs untouched and sets `*out_handle` to NULL.  The message
  *   names the wrong argument, says what is wrong, and says what to do.  No C++
  *   exception, abort or signal leaves the library, and it prints nothing.  One
- *   exception: if one of the calls evaluate, project, curvature, cast_rays and
- *   contains fails or is cancelled, it may already have written a part of its
- *   arrays.
+ *   exception: if one of the calls hrbfnpr_model_evaluate, _project, _curvature,
+ *   _cast_rays and _contains, or hrbfnpr_field_evaluate, fails or is cancelled,
+ *   it may already have written a part of its arrays.
  *
  * Common errors.  Comments list the errors that are special to a call.  In
  *   addition, every call may return INVALID_ARGUMENT (a needed pointer is NULL,
@@ -1758,7 +1758,7 @@ typedef struct hrbfnpr_mark_field {
 /* Sets every field to its default. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_mark_field_init(hrbfnpr_mark_field* field, uint32_t struct_size);
 /* Creates a point set that has the same marks as `set`, and values of fields for them.  Values that `set` has stay,
- * except those of a name in the list.  The marks are shared, not copied, and the fields may be released.  The values are
+ * except those of a name in the list.  The marks are shared, not copied, and the fields may be released.  Values are
  * saved and loaded with the set.  A hrbfnpr_shading of `set` is one of the new set, too.
  *
  * fields:      a list; no name occurs twice
@@ -2094,7 +2094,7 @@ typedef struct hrbfnpr_light {
     uint32_t kind;    /* where it comes from, HRBFNPR_LIGHT_KIND_...; default DIRECTIONAL */
     uint32_t space;   /* space of `place`, HRBFNPR_LIGHT_...; default CAMERA */
     float intensity;  /* 0 .. 16; default 1 = a surface that faces the light is white */
-    float shadow;     /* share of its light that its cast shadows take away, 0 .. 1; default 0 = it casts none.  It has an
+    float shadow;     /* share of its light that cast shadows take away, 0 .. 1; default 0 = it casts none.  It has an
                          effect on items with a shading */
     float softness;   /* radius of the light as it is seen from the surface, in radians, 0 .. 0.5; default 0 = shadows
                          with sharp borders; the sun has 0.0047 */
@@ -2184,7 +2184,7 @@ typedef struct hrbfnpr_layer_style {
                                    0 .. 16384; default 0.  Each end has another length */
     uint32_t hatch_seed;        /* seed of hatch_wobble and hatch_overshoot; any number; default 0 */
     uint32_t reserved3;
-    /* Fields of the point set, by their names (hrbfnpr_point_set_with_fields).  They are read during _draw only; default
+    /* Fields of the point set, by name (hrbfnpr_point_set_with_fields).  They are read during _draw only; default
      * NULL = none.  A value v with the weight w changes what it acts on from x to x + w (v' - x), where v' is what v
      * alone gives.  Layers without values of a field are drawn without it.  If no layer of a set has it, drawing fails
      * with INVALID_ARGUMENT.  Fields have no effect with VISIBILITY_PUBLISHED. */
@@ -2385,16 +2385,16 @@ typedef struct hrbfnpr_style {
     float ambient_ground;        /* light where the surface faces the ground; 0 .. 16; default 0 */
     float occlusion;             /* share of the ambient light that is lost where no sky is seen, 0 .. 1; default 1.  It
                                     has an effect on items with a shading */
-    float occlusion_exponent;    /* ambient light is multiplied by the share of the sky that is seen to this power; above
+    float occlusion_exponent;    /* ambient light is multiplied by the share of sky that is seen to this power; above
                                     0, up to 16; default 1.5.  Larger: hollows are darker */
     float rim_light;             /* adds rim_light * (1 - |n . v|)^rim_exponent, where v points to the eye: contours are
                                     lighter; 0 .. 16; default 0 */
     float rim_exponent;          /* above 0, up to 64; default 3.  Larger: the light rim is narrower */
     float tone_black;            /* light that is drawn as black; -16 .. 16; default 0 */
     float tone_white;            /* light that is drawn as white; above tone_black, up to 16; default 1 */
-    float tone_gamma;            /* exponent of the tone law; above 0, up to 16; default 1.  Larger: mid-tones are darker */
-    uint32_t tone_steps;         /* number of flat tones, from black to white, 2 .. 6; default 0 = continuous tones.  The
-                                    steps of t have the same size */
+    float tone_gamma;            /* exponent of the tone law; above 0, up to 16; default 1.  Larger: darker mid-tones */
+    uint32_t tone_steps;         /* number of flat tones, from black to white, 2 .. 6; default 0 = continuous tones.
+                                    The steps of t have the same size */
     float curvature_contrast;    /* light that ridges and hills add, and that hollows take away: it is multiplied by a
                                     number from -1 to 1, tanh(3 H scale) less its mean over the surface, where H is the
                                     mean curvature; 0 .. 16; default 0.  It has an effect on items whose shading was
@@ -2402,8 +2402,8 @@ typedef struct hrbfnpr_style {
     float occlusion_lights;      /* share of the light of all lights and of the fill light that is lost where no sky is
                                     seen, 0 .. 1; default 0.  Hollows get darker, and the rest stays as it is.  It has
                                     an effect on items with a shading */
-    const float* palette;        /* inks for ink_field, palette_count x 4, straight RGBA in [0, 1], sRGB-encoded; default
-                                    NULL.  It is read during _draw only */
+    const float* palette;        /* inks for ink_field, palette_count x 4, straight RGBA in [0, 1], sRGB-encoded;
+                                    default NULL.  It is read during _draw only */
     int64_t palette_count;       /* number of inks; 0 .. 8; default 0.  An ink_field needs at least one */
 } hrbfnpr_style;
 
@@ -2464,8 +2464,8 @@ HRBFNPR_API const char* hrbfnpr_preset_name(uint32_t preset);
  * of a set, and a layer's style says what they change.
  */
 
-/* The surfaces that cast shadows and hide the sky, see hrbfnpr_occluders_create.  It does not change, so any threads may
- * use it. */
+/* The surfaces that cast shadows and hide the sky, see hrbfnpr_occluders_create.  It does not change, so any threads
+ * may use it. */
 typedef struct hrbfnpr_occluders hrbfnpr_occluders;
 
 /* The values of a field. */
@@ -2494,13 +2494,14 @@ enum {
  * other. */
 typedef struct hrbfnpr_dab {
     uint32_t struct_size;
-    uint32_t map;        /* what it paints, HRBFNPR_DAB_...; default TONE */
-    double position[3];  /* middle of the ball, in coordinates of the source */
+    uint32_t map;        /* what it paints in a picture, HRBFNPR_DAB_...; default TONE.  Fields ignore it */
+    double position[3];  /* middle of the ball, in coordinates of the source or of the field */
     double normal[3];    /* unit normal of the surface there; surface that faces away from it is not painted */
-    double radius;       /* radius of the ball, in units of the source; above 0 */
-    double strength;     /* strength in the middle, 0 .. 1; default 1.  It falls to 0 at the radius */
-    double value;        /* value of TONE and DENSITY, 0 .. 1; default 0 */
-    double direction[3]; /* direction of DIRECTION, which hatching follows */
+    double radius;       /* radius of the ball, in the unit of `position`; above 0 */
+    double strength;     /* strength s in the middle, 0 .. 1; default 1.  At the distance d from there it is
+                            s (1 - d^2 / radius^2)^2 */
+    double value;        /* value of TONE and DENSITY, 0 .. 1, or of a SCALAR field, any number; default 0 */
+    double direction[3]; /* direction of DIRECTION, which hatching follows; the value of a field of three numbers */
 } hrbfnpr_dab;
 
 /* Sets struct_size and all defaults. */
@@ -2543,12 +2544,12 @@ typedef struct hrbfnpr_field_desc {
     /* DABS. */
     const hrbfnpr_dab* dabs; /* a list, copied.  All act, one after the other, whatever their `map`.  SCALAR takes
                                 `value`, DIRECTION takes `direction`, COLOUR takes `direction` as r, g, b */
-    int64_t dab_count;       /* number of dabs; 0 or more */
+    int64_t dab_count;       /* number of dabs; 0 .. 1000000; default 0 */
     int64_t dab_stride;      /* bytes from one dab to the next; 0 = the first one's struct_size */
 
     /* IMAGE.  A place outside the image, one that faces away from the camera, and one that is hidden has no value. */
     const hrbfnpr_image* image;   /* the image, copied.  COLOUR takes its colour, SCALAR its luminance Y' = 0.2126 R' +
-                                     0.7152 G' + 0.0722 B'.  Alpha is the weight.  COVERAGE8 and DIRECTION are refused */
+                                     0.7152 G' + 0.0722 B'.  Alpha is the weight; COVERAGE8 and DIRECTION are refused */
     const hrbfnpr_camera* camera; /* the camera along which it is projected, in the coordinates of the field.  The image
                                      fills its viewport */
     const hrbfnpr_occluders* occluders; /* surfaces that hide places from the camera, in the coordinates of the field;
@@ -2572,8 +2573,8 @@ HRBFNPR_API void hrbfnpr_field_release(const hrbfnpr_field* field); /* Removes a
  *
  * positions:   n x 3, FLOAT32 or FLOAT64, absolute
  * normals:     n x 3, FLOAT32 or FLOAT64, unit; may be NULL for POINTS
- * values:      receives n x 1 (SCALAR) or n x 3, FLOAT32 or FLOAT64; 0 where the weight is 0
- * weights:     receives n x 1, FLOAT32 or FLOAT64; may be NULL
+ * values:      receives n x 1 (SCALAR) or n x 3, FLOAT32 or FLOAT64; 0 where the weight is 0; may be NULL
+ * weights:     receives n x 1, FLOAT32 or FLOAT64, 0 .. 1; 0 also where numbers overflow; may be NULL
  * operation:   may be NULL
  *
  * Errors: CALLBACK (the field's function failed). */
@@ -2657,9 +2658,12 @@ typedef struct hrbfnpr_item {
 HRBFNPR_API hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size);
 
 /* Gathers the surfaces of all items that have a line set, at their transforms: the triangles on which lines are found.
- * Walls thinner than a cell of the line set may let light through.  The other fields of items are not read.
+ * Walls thinner than a cell of the line set may let light through.  The occluders keep the line sets alive.
  *
- * Errors: INVALID_ARGUMENT (no item has a line set), OUT_OF_MEMORY, CANCELLED. */
+ * items:       a list, of which line_set and transform are read; an item needs no point set
+ * operation:   may be NULL
+ *
+ * Errors: INVALID_ARGUMENT (no item has a line set). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_occluders_create(hrbfnpr_context* context, const hrbfnpr_item* items,
                                                     int64_t item_count, int64_t item_stride,
                                                     hrbfnpr_operation* operation, hrbfnpr_occluders** out_occluders,
@@ -2677,18 +2681,18 @@ enum {
 /* How a shading is computed. */
 typedef struct hrbfnpr_shading_desc {
     uint32_t struct_size;
-    int32_t sky_rays;       /* number of rays by which a mark sees the sky; 1 .. 4096; default 64.  Larger: less noise */
+    int32_t sky_rays;       /* number of rays by which a mark sees the sky; 1 .. 4096; default 64; larger: less noise */
     int32_t shadow_rays;    /* number of rays by which a mark in a penumbra sees a light; 1 .. 4096; default 32 */
     uint32_t flags;         /* HRBFNPR_SHADING_...; default 0 */
-    double occlusion_reach; /* distance beyond which nothing hides the sky, in diagonals of the box around all occluders;
+    double occlusion_reach; /* distance beyond which nothing hides the sky, in diagonals of the box of all occluders;
                                0 .. 100; default 0.35; 0 = the whole sky is seen everywhere.  What is nearer hides the
                                more, the nearer it is: 1 - distance / reach */
     const hrbfnpr_shading* previous; /* a shading of the same item and the same occluders, but for other lights, whose
                                         occlusion is taken; default NULL = occlusion is computed.  sky_rays and
-                                        occlusion_reach then have no effect.  Its curvature is taken, too, if it has one */
+                                        occlusion_reach then have no effect.  Curvature is taken, too, if it has any */
     double curvature_scale; /* distance over which curvature is measured, in diagonals of the box around the item's
-                               surface; 0 .. 1; default 0.02; 0 = it is not measured.  It is measured if the item's style
-                               has a curvature_contrast, over at least about a cell of the item's line set */
+                               surface; 0 .. 1; default 0.02; 0 = it is not measured.  It is measured if the item's
+                               style has a curvature_contrast, over at least about a cell of the item's line set */
 } hrbfnpr_shading_desc;
 
 /* Sets every field to its default. */
@@ -2709,7 +2713,9 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_shading_desc_init(hrbfnpr_shading_desc* desc,
  * camera:      the camera of lights in camera space that cast shadows; may be NULL without such lights
  * desc:        NULL = all defaults
  *
- * Errors: INVALID_ARGUMENT (for example WITH_LINES without a line_set), OUT_OF_MEMORY, CANCELLED, CALLBACK. */
+ * operation:   may be NULL
+ *
+ * Errors: INVALID_ARGUMENT (for example WITH_LINES without a line_set). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_shading_create(hrbfnpr_context* context, const hrbfnpr_occluders* occluders,
                                                   const hrbfnpr_item* item, const hrbfnpr_camera* camera,
                                                   const hrbfnpr_shading_desc* desc, hrbfnpr_operation* operation,
@@ -3510,7 +3516,7 @@ typedef struct hrbfnpr_pen {
     double width;       /* width of all lines, in mm; 0 .. 1e6; default 0 = as drawn.  For plotters it is the width of
                            the pen, 0.3 if it is 0 */
     float ink[4];       /* colour of the ink, straight RGBA; default alpha 0 = as drawn */
-    uint32_t number;    /* number of a plotter's pen, 1 .. 255; default 1.  If the pen is for several groups, each ink of
+    uint32_t number;    /* number of a plotter's pen, 1 .. 255; default 1.  If it is for several groups, each ink of
                            a style's palette has a pen of its own: the group "stipples ink 1" has number + 1, and so on.
                            Without any pen, the numbers begin at 1 */
     uint32_t reserved;  /* must be 0 */
@@ -3728,9 +3734,9 @@ enum {
 };
 
 /* The ground of a picture: a plane under the object, on which only what darkens it is drawn, which is cast shadows and
- * the sky that the object hides.  Its marks are a layer named "ground", of stipples or hatching as the style draws.  Open
- * ground is white.  It casts no shadow and hides nothing.  If no light of the style casts shadows, the first one casts
- * them on the ground, and only there.  The ground is not drawn by cameras below it. */
+ * the sky that the object hides.  Its marks are a layer named "ground", of stipples or hatching as the style draws.
+ * Open ground is white.  It casts no shadow and hides nothing.  If no light of the style casts shadows, the first one
+ * casts them on the ground, and only there.  The ground is not drawn by cameras below it. */
 enum {
     HRBFNPR_PICTURE_GROUND_NONE = 0,   /* no ground */
     HRBFNPR_PICTURE_GROUND_LOWEST = 1, /* at the lowest place of the object along the up direction */
@@ -4050,7 +4056,7 @@ typedef struct hrbfnpr_picture_desc {
     /* Ground. */
     uint32_t ground;     /* whether the picture has a ground, and where, HRBFNPR_PICTURE_GROUND_...; default NONE */
     uint32_t reserved;
-    double ground_height; /* height of the ground with GROUND_HEIGHT, along the unit vector of the up direction, in units
+    double ground_height; /* height of the ground with GROUND_HEIGHT along the unit vector of the up direction, in units
                              of the source; default 0 */
 } hrbfnpr_picture_desc;
 

@@ -81,6 +81,7 @@ FORBIDDEN_FLAGS = [
     (r"-ffast-math|-Ofast|-funsafe-math-optimizations", "it switches the host to flush-to-zero at link"),
 ]
 LONGEST_FILE = 900
+LONGEST_LINE = 120  # clang-format leaves the header as it is
 # The only files that contain the version as text: bindings/generate writes it, or the file tells the history.
 WITH_VERSION = {
     "CITATION.cff", "bindings/api.json", "bindings/csharp/Unity/package.json", "bindings/js/package.json",
@@ -188,6 +189,10 @@ def sizes(root):
         count = sum(1 for _ in lines(path))
         if count > LONGEST_FILE:
             yield f"{path.relative_to(root)} has {count} lines: split it ({LONGEST_FILE} at most)"
+    for path in sorted((root / "include").glob("*.h")):
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if len(line) > LONGEST_LINE:
+                yield f"{path.relative_to(root)}:{number} has {len(line)} characters: break it ({LONGEST_LINE} at most)"
 
 
 def numbers(text, pattern):
