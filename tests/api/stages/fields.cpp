@@ -40,6 +40,38 @@ hrbfnpr_field_desc Stages::vertex_field_desc(bool with_triangles) const {
     return desc;
 }
 
+// A field of dabs that overlap.
+hrbfnpr_field_desc Stages::dab_field_desc() {
+    for (std::size_t i = 0; i < dabs_.size(); ++i) {
+        dabs_[i] = made(hrbfnpr_dab_init);
+        dabs_[i].position[0] = dabs_[i].normal[0] = 1.0;
+        dabs_[i].radius = 0.6 + 0.3 * static_cast<double>(i);
+        dabs_[i].strength = dabs_[i].value = 0.5;
+    }
+    auto desc = made(hrbfnpr_field_desc_init);
+    desc.source = HRBFNPR_FIELD_SOURCE_DABS;
+    desc.dabs = dabs_.data();
+    desc.dab_count = static_cast<std::int64_t>(dabs_.size());
+    return desc;
+}
+
+// A field of an image that falls on what its camera sees of the surfaces that cast shadows.
+hrbfnpr_field_desc Stages::image_field_desc() {
+    constexpr std::int32_t side = 32;
+    for (int i = 0; i < 4 * side * side; ++i) pixels_.push_back(static_cast<std::uint8_t>(7 * i));
+    image_ = made(hrbfnpr_image_init);
+    image_.format = HRBFNPR_FORMAT_RGBA8;
+    image_.width = image_.height = side;
+    image_.pixels = pixels_.data();
+    image_camera_ = camera();
+    auto desc = made(hrbfnpr_field_desc_init);
+    desc.source = HRBFNPR_FIELD_SOURCE_IMAGE;
+    desc.image = &image_;
+    desc.camera = &image_camera_;
+    desc.occluders = occluders_.get();
+    return desc;
+}
+
 void Stages::add_field(std::vector<Stage>& stages, const char* name, const hrbfnpr_field_desc& desc) {
     add(stages, name, [this, desc](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
         hrbfnpr_field* field = nullptr;
@@ -48,9 +80,11 @@ void Stages::add_field(std::vector<Stage>& stages, const char* name, const hrbfn
         EXPECT_EQ(field != nullptr, status == HRBFNPR_STATUS_OK);
         const Field owned(field);
         if (!owned) return status;
-        std::vector<double> value(places_.size()), weight(places_.size() / 3);
-        const hrbfnpr_array from = in(places_), normals = in(directions_);
-        const hrbfnpr_array_out values = out(value), weights = out(weight, 1);
+        const std::size_t count = places_.size() / 3;
+        const std::uint32_t components = desc.kind == HRBFNPR_FIELD_KIND_SCALAR ? 1 : 3;
+        std::vector<double> value(components * count), weight(count);
+        const hrbfnpr_array from = in(places_), normals = in(places_); // The places lie on a ball around 0.
+        const hrbfnpr_array_out values = out(value, components), weights = out(weight, 1);
         const Operation operation = make_operation(context_);
         EXPECT_EQ(hrbfnpr_field_evaluate(field, &from, &normals, &values, &weights, operation.get(), nullptr),
                   HRBFNPR_STATUS_OK);
@@ -63,6 +97,8 @@ void Stages::add_field(std::vector<Stage>& stages, const char* name, const hrbfn
 void Stages::add_fields(std::vector<Stage>& stages) {
     add_field(stages, "field.triangles", vertex_field_desc(true));
     add_field(stages, "field.points", vertex_field_desc(false));
+    add_field(stages, "field.dabs", dab_field_desc());
+    add_field(stages, "field.image", image_field_desc());
     hrbfnpr_field* made_field = nullptr;
     auto desc = vertex_field_desc(true);
     EXPECT_EQ(hrbfnpr_field_create(context_.get(), &desc, nullptr, &made_field, nullptr), HRBFNPR_STATUS_OK);

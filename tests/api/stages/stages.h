@@ -52,6 +52,8 @@ private:
 
     void add_field(std::vector<Stage>& stages, const char* name, const hrbfnpr_field_desc& desc);
     [[nodiscard]] hrbfnpr_field_desc vertex_field_desc(bool with_triangles) const;
+    [[nodiscard]] hrbfnpr_field_desc dab_field_desc();
+    [[nodiscard]] hrbfnpr_field_desc image_field_desc();
 
     [[nodiscard]] hrbfnpr_camera camera() const;
     [[nodiscard]] hrbfnpr_item lit_item();
@@ -74,6 +76,10 @@ private:
     std::array<hrbfnpr_line_style, 2> shadow_lines_{};
     hrbfnpr_style lit_style_{};
     hrbfnpr::test::Field ways_, waves_;
+    std::array<hrbfnpr_dab, 3> dabs_{};
+    std::vector<std::uint8_t> pixels_;
+    hrbfnpr_image image_{};
+    hrbfnpr_camera image_camera_{};
     Occluders occluders_;
     Shading shading_;
     Mesh mesh_, solid_;
