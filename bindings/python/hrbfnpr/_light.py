@@ -18,7 +18,9 @@ class Light(LightFields, StylePart):
     place : (x, y, z), optional
         The direction to the light, of any length but 0, or its place; None: the default.
     **fields
-        Other fields to change: `space` and `intensity`.
+        Other fields to change: `space` ("camera", "world" or "item"), `intensity` (0 to 16; 1: a surface that faces the
+        light is white), `shadow` (the share of its light that cast shadows take away, 0 to 1) and `softness` (its radius
+        as the surface sees it, in radians, 0 to 0.5).
 
     Examples
     --------

@@ -268,6 +268,8 @@ class PointSet(Owner):
 
         Raises
         ------
+        InvalidArgumentError
+            If a name has not 1 to 63 bytes, or the set would have more than 64 fields.
         CallbackError
             If the function of a field raised an exception.
 

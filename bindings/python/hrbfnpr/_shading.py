@@ -76,6 +76,12 @@ class Shading(Owner):
     progress, operation, context
         As in `Model.fit`.
 
+    Raises
+    ------
+    InvalidArgumentError
+        If a number is out of its range, the item has poses, it lacks a line set that is needed, or a light in the space of
+        the camera casts shadows and there is no camera.
+
     Examples
     --------
     >>> style = hrbfnpr.Style("engraving", ambient_sky=0.4)
