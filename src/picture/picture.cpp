@@ -46,7 +46,7 @@ std::int64_t hrbfnpr_picture::mark_count() const {
 bool hrbfnpr_picture::is_still() const noexcept {
     return marks && marks->base.distribution == HRBFNPR_DISTRIBUTION_BLUE_NOISE &&
            style->base.visibility == HRBFNPR_VISIBILITY_DEPTH_LAYERS && !options.has(HRBFNPR_PICTURE_KEEP_MARKS) &&
-           options.desc.turn == 0.0 && !picture::has_section(options) && !picture::uses_fields(options, *style);
+           options.desc.turn == 0.0 && !picture::has_section(options);
 }
 
 namespace hrbfnpr::picture {
@@ -276,26 +276,35 @@ void resolve_fields(hrbfnpr_picture& picture, const Call& call) {
     picture.fields.emplace(call, *picture.style, surfaces.values, given);
 }
 
+// Shows the style to the renderer and to the planner of stills, with the names that marks know fields by.
+void view_style(hrbfnpr_picture& picture) {
+    picture.style_view = picture.style->view();
+    if (picture.fields) picture.style_view.layers = picture.fields->layers().data();
+}
+
+// Gives the marks of parts the values of their fields.
+void give_values(const hrbfnpr_picture& picture, const Call& call, Vector<Part>& parts) {
+    if (!picture.fields) return;
+    const Vector<Surface>& surfaces = picture.surfaces().list;
+    Stage stage(call.report, HRBFNPR_STAGE_MARKS);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        PointSet& set = parts[i].marks;
+        set = picture.fields->with_fields(call, set, surfaces.empty() ? 0 : surfaces[i].source, stage.operation());
+    }
+    stage.says("values of fields");
+}
+
 // Gives the marks of all parts their fields, and chooses inks for them.
 void give_fields(hrbfnpr_picture& picture, const Call& call) {
     if (!picture.fields) return;
-    const Vector<Surface>& surfaces = picture.surfaces().list;
+    give_values(picture, call, picture.parts);
     Vector<PointSet> marks(&picture.pool);
-    {
-        Stage stage(call.report, HRBFNPR_STAGE_MARKS);
-        for (std::size_t i = 0; i < picture.parts.size(); ++i) {
-            PointSet& set = picture.parts[i].marks;
-            set = picture.fields->with_fields(call, set, surfaces.empty() ? 0 : surfaces[i].source, stage.operation());
-            marks.push_back(set);
-        }
-        stage.says("values of fields");
-    }
+    for (const Part& part : picture.parts) marks.push_back(part.marks);
     choose_palette(call, picture.fields->layers(), marks, *picture.style);
 }
 
 void finish(hrbfnpr_picture& picture) {
-    picture.style_view = picture.style->view();
-    if (picture.fields) picture.style_view.layers = picture.fields->layers().data();
+    view_style(picture);
     if (picture.marks) picture.marks_view = picture.marks->view();
     picture.renderer = make<Renderer>([&](hrbfnpr_renderer** made, hrbfnpr_error* error) {
         return hrbfnpr_renderer_create(&picture.context(), made, error);
@@ -434,7 +443,13 @@ void plan_surfaces(hrbfnpr_picture& picture, const Call& call) {
         const double pixels = pixels_per_unit(camera, bounds_of(first).centre());
         picture.marks.emplace(
             plan_marks(call, *picture.style, area_of(surfaces), pixels, model_info_of(first).centres));
-        picture.style_view = picture.style->view();
+        view_style(picture);
+        // A palette may be chosen from the marks once they are placed. Inks do not decide which marks a still needs.
+        static constexpr float any_ink[4] = {0.0F, 0.0F, 0.0F, 1.0F};
+        if (picture.style->palette.empty()) {
+            picture.style_view.palette = any_ink;
+            picture.style_view.palette_count = 1;
+        }
         const Vector<Part> placed = place_marks(picture, call, picture.is_still());
         for (std::size_t i = 0; i < placed.size(); ++i) picture.parts[i].marks = placed[i].marks;
     }
@@ -477,7 +492,8 @@ hrbfnpr_picture* made_by(hrbfnpr_context& context, const hrbfnpr_picture_desc& d
 // Places all marks of a still picture, if that was not done before.
 void complete_marks(hrbfnpr_picture& picture) {
     if (!picture.is_still() || picture.parts.front().whole) return;
-    const Vector<Part> placed = place_marks(picture, picture.call(), false);
+    Vector<Part> placed = place_marks(picture, picture.call(), false);
+    give_values(picture, picture.call(), placed);
     for (std::size_t i = 0; i < placed.size(); ++i) picture.parts[i].whole = placed[i].marks;
     if (picture.ground) with_ground_plan(picture, complete_ground);
 }

@@ -210,3 +210,15 @@ def test_pictures_without_fields_get_no_values(ply, monkeypatch):
 
     monkeypatch.setattr(_request, "_fill_fields", lambda *_: pytest.fail("values of points are passed"))
     hrbfnpr.draw(ply, "stipple", **QUICK)
+
+
+def test_a_still_has_the_marks_and_values_that_its_camera_needs():
+    asked = {"fields": {"right": LEFT, "hue": HUES}, "field": "tone=right:-1..1,ink=hue"}
+    still, whole = drawn(**asked), drawn(**asked, keep_marks=True)
+    assert still.drawing.info.marks < 0.8 * whole.drawing.info.marks
+    assert halves(still) == pytest.approx(halves(whole), rel=0.05)
+    # The first drawing by another camera needs the other marks, with their values.
+    behind = still.seen(azimuth=180)
+    assert behind.drawing.info.marks == whole.drawing.info.marks
+    assert halves(behind) == pytest.approx(halves(whole.seen(azimuth=180)), rel=0.05)
+    assert halves(behind)[0] < halves(behind)[1]
