@@ -157,7 +157,9 @@ void add_styles_of(const WantedLine& wanted, const hrbfnpr_line_style& contour, 
     line.kind = wanted.kind;
     line.width =
         static_cast<float>(static_cast<double>(contour.width) * (is_wide ? 1.0 : line_style_tuning.fine_width));
-    line.hidden = contour.hidden;
+    // Hidden shadows would look as if they fell on what hides them.
+    const bool is_shadow = wanted.kind == HRBFNPR_LINE_KIND_SHADOW || wanted.kind == HRBFNPR_LINE_KIND_TERMINATOR;
+    line.hidden = is_shadow ? std::uint32_t{HRBFNPR_HIDDEN_PARTS_NONE} : contour.hidden;
     line.taper = is_wide || wanted.kind == HRBFNPR_LINE_KIND_SECTION ? 0.0F : contour.taper;
     if (!wanted.levels.empty()) line.levels = style.keep_levels(wanted.levels.data(), wanted.levels.size());
     style.lines.push_back(line);

@@ -103,6 +103,19 @@ TEST_F(WantedLinesTest, LinesAreSizedByThePen) {
     EXPECT_FLOAT_EQ(wide.lines[1].width, 1.9090908765792847F);
 }
 
+TEST_F(WantedLinesTest, HiddenPartsOfShadowsAreDrawnOnlyIfAsked) {
+    PlannedCall asked(HRBFNPR_PRESET_SILHOUETTE);
+    asked.desc.lines = "contour,shadow,terminator,section";
+    const Call call = asked.call();
+    Style style(HRBFNPR_PRESET_SILHOUETTE, pool);
+    size_lines(call, style, 1.0, true);
+    ASSERT_EQ(style.lines.size(), 4U);
+    EXPECT_EQ(style.lines[0].hidden, std::uint32_t{HRBFNPR_HIDDEN_PARTS_ATTENUATED});
+    EXPECT_EQ(style.lines[1].hidden, std::uint32_t{HRBFNPR_HIDDEN_PARTS_NONE});
+    EXPECT_EQ(style.lines[2].hidden, std::uint32_t{HRBFNPR_HIDDEN_PARTS_NONE});
+    EXPECT_EQ(style.lines[3].hidden, std::uint32_t{HRBFNPR_HIDDEN_PARTS_ATTENUATED});
+}
+
 TEST_F(WantedLinesTest, RequestedLinesReplaceTheLinesOfTheStyle) {
     PlannedCall asked(HRBFNPR_PRESET_XRAY);
     asked.desc.lines = "crease,isophotes=0.2,section";
