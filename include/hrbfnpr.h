@@ -4164,7 +4164,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_source_inspect(hrbfnpr_context* context, cons
  *
  * A field of a layer style (tone_field and so on) names values of the source (hrbfnpr_source_field), or a field of its
  * point set.  For numbers of a source, the name may say which value becomes 0 and which becomes 1, as in
- * "quality:0.2..0.9"; else they are the least and the greatest value that is finite.  "-quality" turns this round.
+ * "quality:0.2..0.9"; else they are the least and the greatest value that is finite.  Outliers do not count for this:
+ * values farther from the inner 96 % than a quarter of the range of these.  "-quality" turns this round.
  * A colour in place of a number is its luminance, as in HRBFNPR_FIELD_SOURCE_IMAGE.  An ink_field without a palette
  * gets one of three inks, which a note names.
  *

@@ -9,10 +9,12 @@
 #include "picture/field_table.h"
 #include "picture/make.h"
 #include "picture/report.h"
+#include "picture/tuning_plan.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace hrbfnpr::api {
 
@@ -201,17 +203,31 @@ const SourceField* SourceFields::find_any(std::string_view name) const noexcept 
     return nullptr;
 }
 
-// Returns the least and the greatest number of that name in all sources. Both are 0 if they do not differ.
-std::array<double, 2> SourceFields::range_of(std::string_view name) const noexcept {
-    std::array<double, 2> range{HUGE_VAL, -HUGE_VAL};
+// Returns the least and the greatest number of that name in all sources, without outliers. Both are 0 if they do not
+// differ.
+std::array<double, 2> SourceFields::range_of(std::string_view name, Pool& pool) const {
+    Vector<float> numbers(&pool);
     for (std::size_t source = 0; source < sources_.size(); ++source) {
         const SourceField* const field = find_in(source, name);
         if (field == nullptr || field->kind != HRBFNPR_FIELD_KIND_SCALAR) continue;
-        for (const float value : field->values) {
-            if (!std::isfinite(value)) continue;
-            range[0] = std::min(range[0], static_cast<double>(value));
-            range[1] = std::max(range[1], static_cast<double>(value));
-        }
+        std::copy_if(field->values.begin(), field->values.end(), std::back_inserter(numbers),
+                     [](float value) { return std::isfinite(value); });
+    }
+    if (numbers.empty()) return {};
+    const auto outer = static_cast<std::size_t>(range_tuning.outer_share * static_cast<double>(numbers.size()));
+    const auto number_at = [&](std::size_t place) {
+        const auto at = numbers.begin() + static_cast<std::ptrdiff_t>(place);
+        std::nth_element(numbers.begin(), at, numbers.end());
+        return static_cast<double>(*at);
+    };
+    const double low = number_at(outer), high = number_at(numbers.size() - 1 - outer);
+    // If most numbers are the same, the others are no outliers.
+    const double reach = low < high ? range_tuning.reach * (high - low) : HUGE_VAL;
+    std::array<double, 2> range{high, low};
+    for (const double number : numbers) {
+        if (number < low - reach || number > high + reach) continue;
+        range[0] = std::min(range[0], number);
+        range[1] = std::max(range[1], number);
     }
     return range[0] < range[1] ? range : std::array{0.0, 0.0};
 }
@@ -250,7 +266,7 @@ WantedField SourceFields::find(const Call& call, std::string_view text, FieldUse
     if (use != FieldUse::number && (spec.range || spec.is_reversed))
         call.report.refuse(formatted(pool, "{field} gives %s a range, but it does not hold numbers", name.c_str()));
     WantedField wanted{found->name, use, is_luminance, {}, String(&pool)};
-    wanted.range = spec.range ? *spec.range : is_number ? range_of(found->name) : std::array{0.0, 0.0};
+    wanted.range = spec.range ? *spec.range : is_number ? range_of(found->name, pool) : std::array{0.0, 0.0};
     if (spec.is_reversed) {
         if (wanted.range == std::array{0.0, 0.0} && is_luminance) wanted.range = {0.0, 1.0};
         std::swap(wanted.range[0], wanted.range[1]);

@@ -2,7 +2,8 @@
 // Makes fields of the values that sources have at their points.
 //
 // A style names such values. The name may say how numbers become shares: "quality:0.2..0.9" makes 0.2 to 0 and 0.9 to
-// 1, and "-quality" makes the greatest value to 0 and the least to 1.
+// 1, and "-quality" makes the greatest value to 0 and the least to 1. Without a range, the least number becomes 0 and
+// the greatest becomes 1, but outliers do not count: a mirror that a scanner saw would leave all else dark.
 #pragma once
 
 #include "picture/call.h"
@@ -91,7 +92,7 @@ private:
     };
     [[nodiscard]] const SourceField* find_in(std::size_t source, std::string_view name) const noexcept;
     [[nodiscard]] const SourceField* find_any(std::string_view name) const noexcept;
-    [[nodiscard]] std::array<double, 2> range_of(std::string_view name) const noexcept;
+    [[nodiscard]] std::array<double, 2> range_of(std::string_view name, Pool& pool) const;
     [[noreturn]] void refuse_name(const Call& call, std::string_view text) const;
 
     Pool* pool_;

@@ -68,4 +68,16 @@ struct PaletteTuning {
 };
 inline constexpr PaletteTuning palette_tuning;
 
+// Numbers of a source that become 0 and 1, if no range is given. Set on intensities of laser scans, on ground and in
+// the air.
+struct RangeTuning {
+    // The inner numbers are those without this share of the least and of the greatest ones. Larger: more outliers may
+    // be at an end, but rare values that matter are cut off.
+    double outer_share = 0.02;
+    // Numbers are outliers if they are farther than this from the inner numbers, in ranges of these. Larger: more
+    // numbers differ, but with less contrast.
+    double reach = 0.25;
+};
+inline constexpr RangeTuning range_tuning;
+
 } // namespace hrbfnpr::picture

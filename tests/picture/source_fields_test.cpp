@@ -127,6 +127,32 @@ TEST_F(SourceFieldsTest, TextsFindValues) {
     EXPECT_EQ(sources.find(call, "-rgb", FieldUse::number).range, (std::array{1.0, 0.0}));
 }
 
+TEST_F(SourceFieldsTest, OutliersAreOutsideOfTheRange) {
+    const auto range_of = [this](const std::vector<double>& numbers) {
+        Shape shape(call.pool);
+        for (std::size_t i = 0; i < numbers.size(); ++i) shape.points.push_back({static_cast<double>(i), 0.0, 0.0});
+        auto field = defaults<hrbfnpr_source_field>(hrbfnpr_source_field_init);
+        field.name = "intensity";
+        field.values = {numbers.data(), static_cast<std::int64_t>(numbers.size()), 0, HRBFNPR_SCALAR_FLOAT64, 1};
+        auto source = defaults<hrbfnpr_picture_source>(hrbfnpr_picture_source_init);
+        source.fields = &field;
+        source.field_count = 1;
+        SourceFields sources(call.pool);
+        sources.add(read_source_values(source, shape, "picture_source", call.pool));
+        return sources.find(call, "intensity", FieldUse::number).range;
+    };
+    std::vector<double> even(101);
+    for (std::size_t i = 0; i < even.size(); ++i) even[i] = static_cast<double>(i);
+    EXPECT_EQ(range_of(even), (std::array{0.0, 100.0}));
+    std::vector<double> mirrored = even;
+    mirrored.insert(mirrored.end(), {-9000.0, 65535.0, 65535.0, not_a_number});
+    EXPECT_EQ(range_of(mirrored), (std::array{0.0, 100.0}));
+    std::vector<double> rare(1000, 2.0); // A mask has few values of its own.
+    rare[500] = 3.0;
+    EXPECT_EQ(range_of(rare), (std::array{2.0, 3.0}));
+    EXPECT_EQ(range_of(std::vector<double>(10, 2.0)), (std::array{0.0, 0.0}));
+}
+
 TEST_F(SourceFieldsTest, TextsThatFindNothingAreRefused) {
     SourceFields sources(call.pool);
     const auto refusal = [&](const char* text, FieldUse use) {
