@@ -200,7 +200,10 @@ class E57:
 
     def read_scan(self, number, **options):
         part = slice(None, 30) if number == 0 else slice(30, None)
-        return {f"cartesian{axis}": POINTS[part, i] for i, axis in enumerate("XYZ")}
+        data = {f"cartesian{axis}": POINTS[part, i] for i, axis in enumerate("XYZ")}
+        if options["colors"] and number == 0:
+            data.update({f"color{ink}": COLOURS[part, i].astype(np.uint8) for i, ink in enumerate(("Red", "Green", "Blue"))})
+        return {**data, "intensity": COLOURS[part, 0] / 256} if options["intensity"] else data
 
     def get_header(self, number):
         fields = self.fields[number] if self.with_normals[number] else {}
@@ -228,7 +231,11 @@ def test_e57_by_its_package(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "pye57", pye57_stand_in())
     path = write(tmp_path, "a.e57", b"ASTM-E57" + bytes(100))
     before = E57.closed
-    assert is_right(shapes.read(path)) and E57.closed == before + 1
+    whole = shapes.read(path)
+    assert is_right(whole) and E57.closed == before + 1
+    np.testing.assert_array_equal(whole.fields["intensity"].values, COLOURS[:, 0] / 256)
+    np.testing.assert_allclose(whole.fields["rgb"].values[:30], COLOURS[:30] / 255, rtol=1e-6)
+    assert np.isnan(whole.fields["rgb"].values[30:]).all()  # the second scan has no colours
     monkeypatch.setattr(E57, "with_normals", (True, False))
     mixed = shapes.read(path)
     assert is_right(mixed, normals=False) and mixed.notes == ("only 1 of its 2 scans have normals: these are not used",)

@@ -90,10 +90,12 @@ def read_e57(path: Path) -> Shape:
     pye57 = needed("pye57", "E57", "pip install pye57", "CloudCompare saves it as PLY, with normals")
     points: List[Floats] = []
     normals: List[Optional[Floats]] = []
+    parts: List[Dict[str, Any]] = []
     try:
         with closing(pye57.E57(str(path))) as file:
             for scan in range(file.scan_count):
-                data = file.read_scan(scan, ignore_missing_fields=True, transform=True)
+                data = file.read_scan(scan, intensity=True, colors=True, ignore_missing_fields=True, transform=True)
+                parts.append(data)
                 points.append(np.column_stack([data[f"cartesian{axis}"] for axis in "XYZ"]))
                 normals.append(_e57_normals(pye57, file, file.get_header(scan)))
     except Exception as error:  # pye57's library raises various errors
@@ -104,7 +106,22 @@ def read_e57(path: Path) -> Shape:
     whole = len(given) == len(normals)
     notes = () if whole or not given else (f"only {len(given)} of its {len(normals)} scans have normals: these are not used",)
     columns = ("x", "y", "z", "nx", "ny", "nz") if whole else ("x", "y", "z")
-    return Shape(np.concatenate(points), np.concatenate(given) if whole else None, None, "E57", columns, UP, notes)
+    fields = _e57_fields(parts)
+    return Shape(np.concatenate(points), np.concatenate(given) if whole else None, None, "E57", columns, UP, notes, fields=fields)
+
+
+def _e57_fields(scans: List[Dict[str, Any]]) -> Dict[str, PointValues]:
+    """The intensities and colours of scans.  Points of scans without them have NaN."""
+
+    def column(name: str) -> Floats:
+        return np.concatenate([np.asarray(scan.get(name, np.full(len(scan["cartesianX"]), np.nan)), dtype=np.float64) for scan in scans])
+
+    there = set().union(*scans)
+    fields = {"intensity": scalars(column("intensity"))} if "intensity" in there else {}
+    names = [f"color{part}" for part in ("Red", "Green", "Blue")]
+    if there.issuperset(names):
+        fields[COLOUR] = colours(np.column_stack([column(name) for name in names]))
+    return fields
 
 
 def _e57_normals(pye57: Any, file: Any, header: Any) -> Optional[Floats]:
