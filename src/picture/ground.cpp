@@ -335,6 +335,15 @@ GroundLayer layer_of_ground(const GroundPlan& plan) {
     return found;
 }
 
+// Fields are known on the surfaces of the object, but not on the ground.
+void remove_fields(hrbfnpr_layer_style& layer) noexcept {
+    layer.density_field = nullptr;
+    layer.tone_field = nullptr;
+    layer.width_field = nullptr;
+    layer.mask_field = nullptr;
+    layer.ink_field = nullptr;
+}
+
 // ---- Marks
 
 std::int32_t constant_direction(void* user, std::int64_t count, const double*, const double*,
@@ -485,6 +494,7 @@ void place_ground(const Call& call, const GroundPlan& plan, Ground& ground) {
                   [](const hrbfnpr_line_style& line) { return line.kind != HRBFNPR_LINE_KIND_SHADOW; });
     ground.style.layers.clear();
     ground.style.layers.push_back(layer_of_ground(plan).style);
+    remove_fields(ground.style.layers.front());
     ground.style.layers.front().name = ground.style.keep(ground_name);
     call.options.changes.apply("style.ground", ground.style.layers.front());
     const glm::dvec3 right = glm::dvec3(glm::transpose(view_of_camera(plan.camera))[0]);

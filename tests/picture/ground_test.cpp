@@ -104,6 +104,32 @@ TEST_F(GroundTest, FirstLightCastsShadowsIfNoneDoes) {
     EXPECT_EQ(ground(0, 0, 1).style.lights.front().softness, ground_tuning.softness);
 }
 
+TEST_F(GroundTest, FieldsOfTheObjectAreNotForIt) {
+    for (const char* const name : {static_cast<const char*>(nullptr), "ground"}) {
+        Style style(HRBFNPR_PRESET_STIPPLE, planned.pool);
+        hrbfnpr_layer_style& layer = style.layers.front();
+        layer.name = name;
+        for (const auto field :
+             {&hrbfnpr_layer_style::density_field, &hrbfnpr_layer_style::tone_field, &hrbfnpr_layer_style::width_field,
+              &hrbfnpr_layer_style::mask_field, &hrbfnpr_layer_style::ink_field})
+            layer.*field = "heat";
+        layer.radius = 3.0F;
+        const Call call = planned.call();
+        const hrbfnpr_camera camera = camera_above(4.0);
+        auto desc = picture::defaults<hrbfnpr_layer_desc>(hrbfnpr_layer_desc_init);
+        desc.kind = HRBFNPR_LAYER_KIND_STIPPLES;
+        Ground made = ground_of(call.options, style, up, places);
+        place_ground(call, GroundPlan{style, std::span(&desc, 1), places, camera, 1.0, false}, made);
+        const hrbfnpr_layer_style& drawn = made.style.layers.front();
+        EXPECT_EQ(drawn.radius, 3.0F);
+        EXPECT_EQ(drawn.density_field, nullptr);
+        EXPECT_EQ(drawn.tone_field, nullptr);
+        EXPECT_EQ(drawn.width_field, nullptr);
+        EXPECT_EQ(drawn.mask_field, nullptr);
+        EXPECT_EQ(drawn.ink_field, nullptr);
+    }
+}
+
 TEST(GroundCamera, PlanesMoveForPlacesOfTheGround) {
     base::Memory memory;
     Pool pool(memory);

@@ -84,6 +84,12 @@ def test_ground_does_not_change_the_object():
     assert (stands[..., 0] < 128).sum() > (plain[..., 0] < 128).sum() + 1000
 
 
+def test_fields_of_the_object_are_not_for_the_ground():
+    colours = np.tile((1.0, 0.0, 0.0), (800, 1))
+    picture = drawn("engraving", fields={"paint": colours}, field="ink=paint", palette=["#ff0000"])
+    assert {layer.ink_number for layer in picture.drawing.layers if layer.name == "ground"} == {-1}
+
+
 def test_ground_has_a_height():
     low, high = (drawn(ground=height, shadow=1) for height in (-1.0005, -2.0))
     assert low._scene.parts[-1].marks.bounds[0][1] == pytest.approx(-1.0005, abs=1e-5)
