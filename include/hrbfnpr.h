@@ -2135,7 +2135,7 @@ enum {
 /* Which inks of a palette the marks of an ink_field take. */
 enum {
     HRBFNPR_PALETTE_NEAREST = 0, /* each mark takes the ink that is nearest to its colour [Oklab, Ottosson 2020] */
-    HRBFNPR_PALETTE_MIXED = 1    /* neighbouring marks take the two or three inks whose mean is the colour */
+    HRBFNPR_PALETTE_MIXED = 1    /* neighbouring marks take the two or three inks whose mean has the colour's hue */
 };
 
 /* How layers of marks are drawn.  Colours are straight RGBA in [0, 1], sRGB-encoded.  Lengths in pixels are those of

@@ -791,7 +791,7 @@ export type FieldRuleName = "replace" | "scale";
 export declare const PALETTE: {
   /** each mark takes the ink that is nearest to its colour [Oklab, Ottosson 2020] */
   readonly NEAREST: 0;
-  /** neighbouring marks take the two or three inks whose mean is the colour */
+  /** neighbouring marks take the two or three inks whose mean has the colour's hue */
   readonly MIXED: 1;
 };
 /** The constants of PALETTE, as options spell them. */
@@ -1277,10 +1277,10 @@ export type PictureSidesName = "auto" | "front" | "both";
  * The ground of a picture: a plane under the object, on which only what darkens it is drawn, which is cast
  * shadows and
  * the sky that the object hides.  Its marks are a layer named "ground", of stipples or hatching as the style
- * draws.  Open
- * ground is white.  It casts no shadow and hides nothing.  If no light of the style casts shadows, the first one
- * casts
- * them on the ground, and only there.  The ground is not drawn by cameras below it.
+ * draws.
+ * Open ground is white.  It casts no shadow and hides nothing.  If no light of the style casts shadows, the
+ * first one
+ * casts them on the ground, and only there.  The ground is not drawn by cameras below it.
  */
 export declare const PICTURE_GROUND: {
   /** no ground */

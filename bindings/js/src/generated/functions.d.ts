@@ -716,8 +716,8 @@ export interface Functions {
    *
    * Creates a point set that has the same marks as `set`, and values of fields for them.  Values that `set` has
    * stay,
-   * except those of a name in the list.  The marks are shared, not copied, and the fields may be released.  The
-   * values are
+   * except those of a name in the list.  The marks are shared, not copied, and the fields may be released.  Values
+   * are
    * saved and loaded with the set.  A hrbfnpr_shading of `set` is one of the new set, too.
    *
    * fields:      a list; no name occurs twice
@@ -1011,8 +1011,8 @@ export interface Functions {
    *
    * positions:   n x 3, FLOAT32 or FLOAT64, absolute
    * normals:     n x 3, FLOAT32 or FLOAT64, unit; may be NULL for POINTS
-   * values:      receives n x 1 (SCALAR) or n x 3, FLOAT32 or FLOAT64; 0 where the weight is 0
-   * weights:     receives n x 1, FLOAT32 or FLOAT64; may be NULL
+   * values:      receives n x 1 (SCALAR) or n x 3, FLOAT32 or FLOAT64; 0 where the weight is 0; may be NULL
+   * weights:     receives n x 1, FLOAT32 or FLOAT64, 0 .. 1; 0 also where numbers overflow; may be NULL
    * operation:   may be NULL
    *
    * Errors: CALLBACK (the field's function failed).
@@ -1057,9 +1057,12 @@ export interface Functions {
    *
    * Gathers the surfaces of all items that have a line set, at their transforms: the triangles on which lines are
    * found.
-   * Walls thinner than a cell of the line set may let light through.  The other fields of items are not read.
+   * Walls thinner than a cell of the line set may let light through.  The occluders keep the line sets alive.
    *
-   * Errors: INVALID_ARGUMENT (no item has a line set), OUT_OF_MEMORY, CANCELLED.
+   * items:       a list, of which line_set and transform are read; an item needs no point set
+   * operation:   may be NULL
+   *
+   * Errors: INVALID_ARGUMENT (no item has a line set).
    */
   hrbfnpr_occluders_create(context: Pointer, items: Pointer, item_count: number, item_stride: number, operation: Pointer, out_occluders: Pointer, error: Pointer): number;
   /**
@@ -1106,7 +1109,9 @@ export interface Functions {
    * camera:      the camera of lights in camera space that cast shadows; may be NULL without such lights
    * desc:        NULL = all defaults
    *
-   * Errors: INVALID_ARGUMENT (for example WITH_LINES without a line_set), OUT_OF_MEMORY, CANCELLED, CALLBACK.
+   * operation:   may be NULL
+   *
+   * Errors: INVALID_ARGUMENT (for example WITH_LINES without a line_set).
    */
   hrbfnpr_shading_create(context: Pointer, occluders: Pointer, item: Pointer, camera: Pointer, desc: Pointer, operation: Pointer, out_shading: Pointer, error: Pointer): number;
   /**
@@ -1651,8 +1656,9 @@ export interface Functions {
    * A field of a layer style (tone_field and so on) names values of the source (hrbfnpr_source_field), or a field
    * of its
    * point set.  For numbers of a source, the name may say which value becomes 0 and which becomes 1, as in
-   * "quality:0.2..0.9"; else they are the least and the greatest value that is finite.  "-quality" turns this
-   * round.
+   * "quality:0.2..0.9"; else they are the least and the greatest value that is finite.  Outliers do not count for
+   * this:
+   * values farther from the inner 96 % than a quarter of the range of these.  "-quality" turns this round.
    * A colour in place of a number is its luminance, as in HRBFNPR_FIELD_SOURCE_IMAGE.  An ink_field without a
    * palette
    * gets one of three inks, which a note names.

@@ -1056,8 +1056,8 @@ export interface Light {
   /** 0 .. 16; default 1 = a surface that faces the light is white */
   intensity?: number;
   /**
-   * share of its light that its cast shadows take away, 0 .. 1; default 0 = it casts none. It has an effect on
-   * items with a shading
+   * share of its light that cast shadows take away, 0 .. 1; default 0 = it casts none. It has an effect on items
+   * with a shading
    */
   shadow?: number;
   /**
@@ -1152,8 +1152,7 @@ export interface LayerStyle {
    * SCALAR: the share of marks that is shown is multiplied by the value, clamped to 0 .. 1. With SHAPE_HATCH, the
    * darkness is multiplied
    *
-   * Fields of the point set, by their names (hrbfnpr_point_set_with_fields).  They are read during _draw only;
-   * default
+   * Fields of the point set, by name (hrbfnpr_point_set_with_fields).  They are read during _draw only; default
    * NULL = none.  A value v with the weight w changes what it acts on from x to x + w (v' - x), where v' is what v
    * alone gives.  Layers without values of a field are drawn without it.  If no layer of a set has it, drawing
    * fails
@@ -1437,8 +1436,8 @@ export interface Style {
    */
   occlusion?: number;
   /**
-   * ambient light is multiplied by the share of the sky that is seen to this power; above 0, up to 16; default
-   * 1.5. Larger: hollows are darker
+   * ambient light is multiplied by the share of sky that is seen to this power; above 0, up to 16; default 1.5.
+   * Larger: hollows are darker
    */
   occlusionExponent?: number;
   /**
@@ -1452,7 +1451,7 @@ export interface Style {
   toneBlack?: number;
   /** light that is drawn as white; above tone_black, up to 16; default 1 */
   toneWhite?: number;
-  /** exponent of the tone law; above 0, up to 16; default 1. Larger: mid-tones are darker */
+  /** exponent of the tone law; above 0, up to 16; default 1. Larger: darker mid-tones */
   toneGamma?: number;
   /**
    * number of flat tones, from black to white, 2 .. 6; default 0 = continuous tones. The steps of t have the same
@@ -1483,19 +1482,19 @@ export interface Style {
  * other.
  */
 export interface Dab {
-  /** what it paints, HRBFNPR_DAB_...; default TONE */
+  /** what it paints in a picture, HRBFNPR_DAB_...; default TONE. Fields ignore it */
   map?: DabName | number;
-  /** middle of the ball, in coordinates of the source */
+  /** middle of the ball, in coordinates of the source or of the field */
   position?: Numbers;
   /** unit normal of the surface there; surface that faces away from it is not painted */
   normal?: Numbers;
-  /** radius of the ball, in units of the source; above 0 */
+  /** radius of the ball, in the unit of `position`; above 0 */
   radius?: number;
-  /** strength in the middle, 0 .. 1; default 1. It falls to 0 at the radius */
+  /** strength s in the middle, 0 .. 1; default 1. At the distance d from there it is s (1 - d^2 / radius^2)^2 */
   strength?: number;
-  /** value of TONE and DENSITY, 0 .. 1; default 0 */
+  /** value of TONE and DENSITY, 0 .. 1, or of a SCALAR field, any number; default 0 */
   value?: number;
-  /** direction of DIRECTION, which hatching follows */
+  /** direction of DIRECTION, which hatching follows; the value of a field of three numbers */
   direction?: Numbers;
 }
 
@@ -1548,7 +1547,7 @@ export interface FieldDesc {
   dabs?: readonly Dab[];
   /**
    * the image, copied. COLOUR takes its colour, SCALAR its luminance Y' = 0.2126 R' + 0.7152 G' + 0.0722 B'. Alpha
-   * is the weight. COVERAGE8 and DIRECTION are refused
+   * is the weight; COVERAGE8 and DIRECTION are refused
    *
    * IMAGE.  A place outside the image, one that faces away from the camera, and one that is hidden has no value.
    */
@@ -1605,22 +1604,21 @@ export interface Item {
 
 /** How a shading is computed. */
 export interface ShadingDesc {
-  /** number of rays by which a mark sees the sky; 1 .. 4096; default 64. Larger: less noise */
+  /** number of rays by which a mark sees the sky; 1 .. 4096; default 64; larger: less noise */
   skyRays?: number;
   /** number of rays by which a mark in a penumbra sees a light; 1 .. 4096; default 32 */
   shadowRays?: number;
   /** HRBFNPR_SHADING_...; default 0 */
   flags?: number;
   /**
-   * distance beyond which nothing hides the sky, in diagonals of the box around all occluders; 0 .. 100; default
-   * 0.35; 0 = the whole sky is seen everywhere. What is nearer hides the more, the nearer it is: 1 - distance /
-   * reach
+   * distance beyond which nothing hides the sky, in diagonals of the box of all occluders; 0 .. 100; default 0.35;
+   * 0 = the whole sky is seen everywhere. What is nearer hides the more, the nearer it is: 1 - distance / reach
    */
   occlusionReach?: number;
   /**
    * a shading of the same item and the same occluders, but for other lights, whose occlusion is taken; default
-   * NULL = occlusion is computed. sky_rays and occlusion_reach then have no effect. Its curvature is taken, too,
-   * if it has one
+   * NULL = occlusion is computed. sky_rays and occlusion_reach then have no effect. Curvature is taken, too, if it
+   * has any
    */
   previous?: Shading;
   /**
@@ -2153,9 +2151,9 @@ export interface Pen {
   /** colour of the ink, straight RGBA; default alpha 0 = as drawn */
   ink?: Numbers;
   /**
-   * number of a plotter's pen, 1 .. 255; default 1. If the pen is for several groups, each ink of a style's
-   * palette has a pen of its own: the group "stipples ink 1" has number + 1, and so on. Without any pen, the
-   * numbers begin at 1
+   * number of a plotter's pen, 1 .. 255; default 1. If it is for several groups, each ink of a style's palette has
+   * a pen of its own: the group "stipples ink 1" has number + 1, and so on. Without any pen, the numbers begin at
+   * 1
    */
   number?: number;
 }
@@ -2572,7 +2570,7 @@ export interface PictureDesc {
    */
   ground?: PictureGroundName | number;
   /**
-   * height of the ground with GROUND_HEIGHT, along the unit vector of the up direction, in units of the source;
+   * height of the ground with GROUND_HEIGHT along the unit vector of the up direction, in units of the source;
    * default 0
    */
   groundHeight?: number;

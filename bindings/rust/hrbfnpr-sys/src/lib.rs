@@ -55,9 +55,9 @@
 //!   and output structs untouched and sets `*out_handle` to NULL.  The message
 //!   names the wrong argument, says what is wrong, and says what to do.  No C++
 //!   exception, abort or signal leaves the library, and it prints nothing.  One
-//!   exception: if one of the calls evaluate, project, curvature, cast_rays and
-//!   contains fails or is cancelled, it may already have written a part of its
-//!   arrays.
+//!   exception: if one of the calls hrbfnpr_model_evaluate, _project, _curvature,
+//!   _cast_rays and _contains, or hrbfnpr_field_evaluate, fails or is cancelled,
+//!   it may already have written a part of its arrays.
 //!
 //! Common errors.  Comments list the errors that are special to a call.  In
 //!   addition, every call may return INVALID_ARGUMENT (a needed pointer is NULL,
@@ -2538,7 +2538,7 @@ extern "C" {
     /// Creates a point set that has the same marks as `set`, and values of fields for them.
     /// Values that `set` has stay,
     /// except those of a name in the list.  The marks are shared, not copied, and the fields may
-    /// be released.  The values are
+    /// be released.  Values are
     /// saved and loaded with the set.  A hrbfnpr_shading of `set` is one of the new set, too.
     ///
     /// fields:      a list; no name occurs twice
@@ -3023,8 +3023,8 @@ pub struct hrbfnpr_light {
     pub space: u32,
     /// 0 .. 16; default 1 = a surface that faces the light is white
     pub intensity: f32,
-    /// share of its light that its cast shadows take away, 0 .. 1; default 0 = it casts none. It
-    /// has an effect on items with a shading
+    /// share of its light that cast shadows take away, 0 .. 1; default 0 = it casts none. It has
+    /// an effect on items with a shading
     pub shadow: f32,
     /// radius of the light as it is seen from the surface, in radians, 0 .. 0.5; default 0 =
     /// shadows with sharp borders; the sun has 0.0047
@@ -3081,7 +3081,7 @@ pub const HRBFNPR_FIELD_RULE_SCALE: u32 = 1;
 // Which inks of a palette the marks of an ink_field take.
 /// each mark takes the ink that is nearest to its colour [Oklab, Ottosson 2020]
 pub const HRBFNPR_PALETTE_NEAREST: u32 = 0;
-/// neighbouring marks take the two or three inks whose mean is the colour
+/// neighbouring marks take the two or three inks whose mean has the colour's hue
 pub const HRBFNPR_PALETTE_MIXED: u32 = 1;
 
 /// How layers of marks are drawn.  Colours are straight RGBA in [0, 1], sRGB-encoded.
@@ -3154,8 +3154,8 @@ pub struct hrbfnpr_layer_style {
     /// SCALAR: the share of marks that is shown is multiplied by the value, clamped to 0 .. 1.
     /// With SHAPE_HATCH, the darkness is multiplied
     ///
-    /// Fields of the point set, by their names (hrbfnpr_point_set_with_fields).  They are read
-    /// during _draw only; default
+    /// Fields of the point set, by name (hrbfnpr_point_set_with_fields).  They are read during
+    /// _draw only; default
     /// NULL = none.  A value v with the weight w changes what it acts on from x to x + w (v' -
     /// x), where v' is what v
     /// alone gives.  Layers without values of a field are drawn without it.  If no layer of a set
@@ -3448,8 +3448,8 @@ pub struct hrbfnpr_style {
     /// share of the ambient light that is lost where no sky is seen, 0 .. 1; default 1. It has an
     /// effect on items with a shading
     pub occlusion: f32,
-    /// ambient light is multiplied by the share of the sky that is seen to this power; above 0,
-    /// up to 16; default 1.5. Larger: hollows are darker
+    /// ambient light is multiplied by the share of sky that is seen to this power; above 0, up to
+    /// 16; default 1.5. Larger: hollows are darker
     pub occlusion_exponent: f32,
     /// adds rim_light * (1 - |n . v|)^rim_exponent, where v points to the eye: contours are
     /// lighter; 0 .. 16; default 0
@@ -3460,7 +3460,7 @@ pub struct hrbfnpr_style {
     pub tone_black: f32,
     /// light that is drawn as white; above tone_black, up to 16; default 1
     pub tone_white: f32,
-    /// exponent of the tone law; above 0, up to 16; default 1. Larger: mid-tones are darker
+    /// exponent of the tone law; above 0, up to 16; default 1. Larger: darker mid-tones
     pub tone_gamma: f32,
     /// number of flat tones, from black to white, 2 .. 6; default 0 = continuous tones. The steps
     /// of t have the same size
@@ -3548,8 +3548,8 @@ extern "C" {
 // 10  FIELDS: values on a surface; immutable
 
 /// The surfaces that cast shadows and hide the sky, see hrbfnpr_occluders_create.  It does
-/// not change, so any threads may
-/// use it.
+/// not change, so any threads
+/// may use it.
 #[repr(C)]
 pub struct hrbfnpr_occluders {
     _data: [u8; 0],
@@ -3589,19 +3589,20 @@ pub const HRBFNPR_DAB_DIRECTION: u32 = 2;
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_dab {
     pub struct_size: u32,
-    /// what it paints, HRBFNPR_DAB_...; default TONE
+    /// what it paints in a picture, HRBFNPR_DAB_...; default TONE. Fields ignore it
     pub map: u32,
-    /// middle of the ball, in coordinates of the source
+    /// middle of the ball, in coordinates of the source or of the field
     pub position: [f64; 3],
     /// unit normal of the surface there; surface that faces away from it is not painted
     pub normal: [f64; 3],
-    /// radius of the ball, in units of the source; above 0
+    /// radius of the ball, in the unit of `position`; above 0
     pub radius: f64,
-    /// strength in the middle, 0 .. 1; default 1. It falls to 0 at the radius
+    /// strength s in the middle, 0 .. 1; default 1. At the distance d from there it is s (1 - d^2
+    /// / radius^2)^2
     pub strength: f64,
-    /// value of TONE and DENSITY, 0 .. 1; default 0
+    /// value of TONE and DENSITY, 0 .. 1, or of a SCALAR field, any number; default 0
     pub value: f64,
-    /// direction of DIRECTION, which hatching follows
+    /// direction of DIRECTION, which hatching follows; the value of a field of three numbers
     pub direction: [f64; 3],
 }
 
@@ -3670,12 +3671,12 @@ pub struct hrbfnpr_field_desc {
     ///
     /// DABS.
     pub dabs: *const hrbfnpr_dab,
-    /// number of dabs; 0 or more
+    /// number of dabs; 0 .. 1000000; default 0
     pub dab_count: i64,
     /// bytes from one dab to the next; 0 = the first one's struct_size
     pub dab_stride: i64,
     /// the image, copied. COLOUR takes its colour, SCALAR its luminance Y' = 0.2126 R' + 0.7152
-    /// G' + 0.0722 B'. Alpha is the weight. COVERAGE8 and DIRECTION are refused
+    /// G' + 0.0722 B'. Alpha is the weight; COVERAGE8 and DIRECTION are refused
     ///
     /// IMAGE.  A place outside the image, one that faces away from the camera, and one that is
     /// hidden has no value.
@@ -3713,8 +3714,9 @@ extern "C" {
     ///
     /// positions:   n x 3, FLOAT32 or FLOAT64, absolute
     /// normals:     n x 3, FLOAT32 or FLOAT64, unit; may be NULL for POINTS
-    /// values:      receives n x 1 (SCALAR) or n x 3, FLOAT32 or FLOAT64; 0 where the weight is 0
-    /// weights:     receives n x 1, FLOAT32 or FLOAT64; may be NULL
+    /// values:      receives n x 1 (SCALAR) or n x 3, FLOAT32 or FLOAT64; 0 where the weight is
+    /// 0; may be NULL
+    /// weights:     receives n x 1, FLOAT32 or FLOAT64, 0 .. 1; 0 also where numbers overflow; may be NULL
     /// operation:   may be NULL
     ///
     /// Errors: CALLBACK (the field's function failed).
@@ -3840,10 +3842,13 @@ extern "C" {
     pub fn hrbfnpr_item_init(item: *mut hrbfnpr_item, struct_size: u32) -> hrbfnpr_status;
     /// Gathers the surfaces of all items that have a line set, at their transforms: the triangles
     /// on which lines are found.
-    /// Walls thinner than a cell of the line set may let light through.  The other fields of
-    /// items are not read.
+    /// Walls thinner than a cell of the line set may let light through.  The occluders keep the
+    /// line sets alive.
     ///
-    /// Errors: INVALID_ARGUMENT (no item has a line set), OUT_OF_MEMORY, CANCELLED.
+    /// items:       a list, of which line_set and transform are read; an item needs no point set
+    /// operation:   may be NULL
+    ///
+    /// Errors: INVALID_ARGUMENT (no item has a line set).
     pub fn hrbfnpr_occluders_create(
         context: *mut hrbfnpr_context,
         items: *const hrbfnpr_item,
@@ -3868,19 +3873,19 @@ pub const HRBFNPR_SHADING_WITH_LINES: u32 = 1;
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_shading_desc {
     pub struct_size: u32,
-    /// number of rays by which a mark sees the sky; 1 .. 4096; default 64. Larger: less noise
+    /// number of rays by which a mark sees the sky; 1 .. 4096; default 64; larger: less noise
     pub sky_rays: i32,
     /// number of rays by which a mark in a penumbra sees a light; 1 .. 4096; default 32
     pub shadow_rays: i32,
     /// HRBFNPR_SHADING_...; default 0
     pub flags: u32,
-    /// distance beyond which nothing hides the sky, in diagonals of the box around all occluders;
-    /// 0 .. 100; default 0.35; 0 = the whole sky is seen everywhere. What is nearer hides the
-    /// more, the nearer it is: 1 - distance / reach
+    /// distance beyond which nothing hides the sky, in diagonals of the box of all occluders; 0
+    /// .. 100; default 0.35; 0 = the whole sky is seen everywhere. What is nearer hides the more,
+    /// the nearer it is: 1 - distance / reach
     pub occlusion_reach: f64,
     /// a shading of the same item and the same occluders, but for other lights, whose occlusion
     /// is taken; default NULL = occlusion is computed. sky_rays and occlusion_reach then have no
-    /// effect. Its curvature is taken, too, if it has one
+    /// effect. Curvature is taken, too, if it has any
     pub previous: *const hrbfnpr_shading,
     /// distance over which curvature is measured, in diagonals of the box around the item's
     /// surface; 0 .. 1; default 0.02; 0 = it is not measured. It is measured if the item's style
@@ -3917,8 +3922,9 @@ extern "C" {
     /// such lights
     /// desc:        NULL = all defaults
     ///
-    /// Errors: INVALID_ARGUMENT (for example WITH_LINES without a line_set), OUT_OF_MEMORY,
-    /// CANCELLED, CALLBACK.
+    /// operation:   may be NULL
+    ///
+    /// Errors: INVALID_ARGUMENT (for example WITH_LINES without a line_set).
     pub fn hrbfnpr_shading_create(
         context: *mut hrbfnpr_context,
         occluders: *const hrbfnpr_occluders,
@@ -5145,9 +5151,9 @@ pub struct hrbfnpr_pen {
     pub width: f64,
     /// colour of the ink, straight RGBA; default alpha 0 = as drawn
     pub ink: [f32; 4],
-    /// number of a plotter's pen, 1 .. 255; default 1. If the pen is for several groups, each ink
-    /// of a style's palette has a pen of its own: the group "stipples ink 1" has number + 1, and
-    /// so on. Without any pen, the numbers begin at 1
+    /// number of a plotter's pen, 1 .. 255; default 1. If it is for several groups, each ink of a
+    /// style's palette has a pen of its own: the group "stipples ink 1" has number + 1, and so
+    /// on. Without any pen, the numbers begin at 1
     pub number: u32,
     /// must be 0
     pub reserved: u32,
@@ -5473,10 +5479,10 @@ pub const HRBFNPR_PICTURE_SIDES_BOTH: u32 = 2;
 // The ground of a picture: a plane under the object, on which only what darkens it is drawn,
 // which is cast shadows and
 // the sky that the object hides.  Its marks are a layer named "ground", of stipples or
-// hatching as the style draws.  Open
-// ground is white.  It casts no shadow and hides nothing.  If no light of the style casts
-// shadows, the first one casts
-// them on the ground, and only there.  The ground is not drawn by cameras below it.
+// hatching as the style draws.
+// Open ground is white.  It casts no shadow and hides nothing.  If no light of the style
+// casts shadows, the first one
+// casts them on the ground, and only there.  The ground is not drawn by cameras below it.
 /// no ground
 pub const HRBFNPR_PICTURE_GROUND_NONE: u32 = 0;
 /// at the lowest place of the object along the up direction
@@ -5948,7 +5954,7 @@ pub struct hrbfnpr_picture_desc {
     /// Ground.
     pub ground: u32,
     pub reserved: u32,
-    /// height of the ground with GROUND_HEIGHT, along the unit vector of the up direction, in
+    /// height of the ground with GROUND_HEIGHT along the unit vector of the up direction, in
     /// units of the source; default 0
     pub ground_height: f64,
 }
@@ -6118,7 +6124,9 @@ extern "C" {
     /// point set.  For numbers of a source, the name may say which value becomes 0 and which
     /// becomes 1, as in
     /// "quality:0.2..0.9"; else they are the least and the greatest value that is finite.
-    /// "-quality" turns this round.
+    /// Outliers do not count for this:
+    /// values farther from the inner 96 % than a quarter of the range of these.  "-quality" turns
+    /// this round.
     /// A colour in place of a number is its luminance, as in HRBFNPR_FIELD_SOURCE_IMAGE.  An
     /// ink_field without a palette
     /// gets one of three inks, which a note names.
