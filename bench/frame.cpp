@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Frames: time, growth and ratios to plain code, to software OpenGL and to memory access; pops; tone. --head=FILE: a
 // PLY of points with normals (default: a generated surface); --only=PART,...: any of speed, llvmpipe, growth, pops,
-// tone.
+// tone, even.
 #include "analytic.h"
 #include "changes.h"
 #include "llvmpipe.h"
+#include "picture_evenness.h"
 #include "plain_frame.h"
 #include "ramp_drawing.h"
 #include "read_models.h"
@@ -48,6 +49,11 @@ public:
             set = bench::generate(context(), model(samples), desc);
         }
         return set.get();
+    }
+
+    [[nodiscard]] scenes::PointSet stipples(std::int64_t count) {
+        return bench::generate(context(), model(samples_.count()),
+                               bench::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, count));
     }
 
 private:
@@ -340,22 +346,72 @@ std::int32_t asked_tone(void*, std::int64_t count, const float* positions, const
 
 void run_tone(Stock& stock, Results& results) {
     std::printf("\ncoverage asked for from 0.05 to 0.55, marks of 1.5 px, blurred by 4 px\n");
-    const scenes::Model model = bench::custom(stock.context(), bench::plane, {2.2, 1.2, 0.4});
     Style style = bench::ramp_style(asked_tone);
     // Take the worst over different numbers of marks.
     bench::ToneError worst{1e9, 0.0};
-    for (const double all : {1.0, 2.0, 4.0}) {
-        const std::int64_t budget = bench::ramp_budget(stock.context(), model.get(), all);
-        const scenes::PointSet set =
-            bench::generate(stock.context(), model.get(), bench::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, budget));
-        const bench::ToneError error = bench::tone_error(bench::drawn_ramp(stock.context(), set.get(), style));
-        std::printf("%8lld marks, area of all %.0f times the paper's: psnr %.2f dB, bias %+.4f\n",
-                    static_cast<long long>(budget), all, error.psnr, error.bias);
-        worst.psnr = std::min(worst.psnr, error.psnr);
-        if (std::abs(error.bias) > std::abs(worst.bias)) worst.bias = error.bias;
+    for (const double facing : {1.0, 0.5, 0.25}) {
+        const scenes::Model model = bench::custom(stock.context(), bench::plane, {2.2, 1.2 / facing, 0.4});
+        for (const double all : {1.0, 2.0, 4.0}) {
+            const std::int64_t budget = bench::ramp_budget(stock.context(), model.get(), all);
+            const scenes::PointSet set =
+                bench::generate(stock.context(), model.get(), bench::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, budget));
+            const bench::ToneError error =
+                bench::tone_error(bench::drawn_ramp(stock.context(), set.get(), style, facing));
+            std::printf("n . v %.2f, %8lld marks, area of all %.0f times the paper's: psnr %.2f dB, bias %+.4f\n",
+                        facing, static_cast<long long>(budget), all, error.psnr, error.bias);
+            worst.psnr = std::min(worst.psnr, error.psnr);
+            if (std::abs(error.bias) > std::abs(worst.bias)) worst.bias = error.bias;
+        }
     }
     results.add("tone_psnr_db", worst.psnr);
     results.add("tone_bias", worst.bias);
+}
+
+// ---- Evenness in the picture ---------------------------------------------------------------
+
+std::int32_t one_tone(void* coverage, std::int64_t count, const float*, const float*, float* tau) {
+    std::fill_n(tau, count, 1.0F - *static_cast<float*>(coverage));
+    return 0;
+}
+
+void run_even(Stock& stock, Results& results) {
+    constexpr int pixels = 1400;
+    constexpr std::int64_t count = 400'000;
+    const scenes::PointSet set = stock.stipples(count);
+    const Orbit orbit(set.get(), pixels, pixels);
+    std::array<bench::Nearest, 5> all;
+    std::printf("\ndistances to the nearest mark in the picture, 1400 pixels, tones of 0.08 to 0.5: standard deviation "
+                "over mean (fifth percentile)\n%8s",
+                "covered");
+    for (std::size_t i = 0; i < all.size(); ++i)
+        std::printf("   n.v %.1f-%.1f", bench::facing_bands[i], bench::facing_bands[i + 1]);
+    std::printf("\n");
+    const auto print = [](std::array<bench::Nearest, 5>& bands) {
+        for (bench::Nearest& band : bands) std::printf("  %5.3f (%5.3f)", band.variation(), band.fifth_percentile());
+        std::printf("\n");
+        std::fflush(stdout);
+    };
+    for (float coverage : {0.08F, 0.16F, 0.3F, 0.5F}) {
+        Style style = bench::ramp_style(one_tone);
+        style.hidden_lines = HRBFNPR_HIDDEN_LINES_HIDE;
+        style.tone_user = &coverage;
+        Painter painter(stock.context(), set.get(), style, pixels, pixels);
+        std::array<bench::Nearest, 5> bands;
+        const hrbfnpr_camera camera = orbit.at(20.0);
+        bench::add_nearest(set.get(), camera, painter.discs(camera), bench::ramp_radius,
+                           bench::ink_of_coverage(static_cast<double>(coverage)), bands);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all[i].distance.insert(all[i].distance.end(), bands[i].distance.begin(), bands[i].distance.end());
+        std::printf("%8.2f", static_cast<double>(coverage));
+        print(bands);
+    }
+    std::printf("%8s", "all");
+    print(all);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::string band = std::to_string(i + 1);
+        results.add("even_cv." + band, all[i].variation());
+        results.add("even_radius." + band, all[i].fifth_percentile());
+    }
 }
 
 void run(const std::string& head, const std::string& only) {
@@ -371,6 +427,7 @@ void run(const std::string& head, const std::string& only) {
     if (wanted("growth")) run_growth(stock, results);
     if (wanted("pops")) run_pops(stock, results);
     if (wanted("tone")) run_tone(stock, results);
+    if (wanted("even")) run_even(stock, results);
     std::printf("\n");
     for (const auto& [name, value] : results.pairs) bench::report(name.c_str(), value);
 }

@@ -5,6 +5,7 @@
 #include "calls.h"
 #include "tone_ramp.h"
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -32,17 +33,17 @@ inline constexpr double ramp_radius = 1.5; // radius of the marks, pixels
     return style;
 }
 
-// Returns the ink of each pixel.
-[[nodiscard]] inline std::vector<double> drawn_ramp(hrbfnpr_context* context, const hrbfnpr_point_set* set,
-                                                    Style style) {
+// Returns the ink of each pixel. The plane is tilted around the x axis, so that n . v is `facing`.
+[[nodiscard]] inline std::vector<double> drawn_ramp(hrbfnpr_context* context, const hrbfnpr_point_set* set, Style style,
+                                                    double facing = 1.0) {
     scenes::Check check;
     hrbfnpr_camera camera;
     check(hrbfnpr_camera_init(&camera, sizeof camera));
-    const Vec3 eye{0.0, 0.0, 5.0};
+    const Vec3 eye{0.0, -20.0 * std::sqrt(1.0 - facing * facing), 20.0 * facing};
     const Vec3 target{0.0, 0.0, 0.0};
     const Vec3 up{0.0, 1.0, 0.0};
     check(hrbfnpr_camera_look_at(&camera, eye.data(), target.data(), up.data(), check.error()));
-    check(hrbfnpr_camera_orthographic(&camera, 2.0, ramp_width, ramp_height, 1.0, 10.0, check.error()));
+    check(hrbfnpr_camera_orthographic(&camera, 2.0, ramp_width, ramp_height, 1.0, 40.0, check.error()));
     hrbfnpr_item item;
     check(hrbfnpr_item_init(&item, sizeof item));
     item.point_set = set;

@@ -116,6 +116,7 @@ struct Drawing {
     // Spatial indexes over the viewport. Its top-left pixel is `first_pixel`. They exist only with
     // Painting::transmittance.
     glm::ivec2 first_pixel{0};
+    glm::ivec2 pixels{0}; // the size of the viewport, in whole pixels
     Tiles dot_tiles;
     Tiles splat_tiles;
     Tiles segment_tiles; // a segment's index is that of its first point

@@ -87,6 +87,10 @@ public:
     [[nodiscard]] std::int32_t columns() const noexcept { return columns_; }
     [[nodiscard]] std::int32_t rows() const noexcept { return rows_; }
     [[nodiscard]] std::int64_t tiles() const noexcept { return std::int64_t{columns_} * rows_; }
+    // Returns an upper bound for the number of discs in a tile. It is exact if no disc touches very many tiles.
+    [[nodiscard]] std::int64_t count(std::int64_t tile) const noexcept {
+        return offsets_[tile + 1] - offsets_[tile] + large_.size();
+    }
     // Returns whether certainly no disc touches a tile.
     [[nodiscard]] bool is_empty(std::int64_t tile) const noexcept {
         return large_.empty() && offsets_[tile] == offsets_[tile + 1];

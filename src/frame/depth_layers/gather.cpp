@@ -77,6 +77,8 @@ constexpr std::int64_t clusters_a_task = 64; // A task has this many clusters. A
 
 void set_up_items(const Scene& scene, Gathering& all) {
     all.frustum = frustum_of(scene.lens);
+    for (std::size_t i = 0; i < all.flat_places.size(); ++i)
+        all.flat_places[i] = flat_place(static_cast<float>(i) / needed_steps);
     base::resize_scratch(all.sights, scene.items.size());
     base::resize_scratch(all.inks, scene.items.size());
     base::resize_scratch(all.transmittance_of, scene.items.size());
@@ -172,6 +174,7 @@ struct RunView {
 // Where the next dot and the next splat are stored, and the current counts.
 struct GatherOutput {
     Dot* dot;
+    EvenMark* even; // NULL if the run is not even in the picture
     Splat* splat;
     Counts counts;
 };
@@ -210,6 +213,11 @@ struct VisibleCluster {
         const auto cell = static_cast<std::size_t>(shown * needed_steps);
         const float needed = v.ink.needed[std::min<std::size_t>(cell + 1, needed_steps)];
         shown = std::min(1.0F, needed * nu * selection.per_ink);
+        if (v.run.even_in_picture) {
+            const bool turns = view.nu_min < 0.0F && view.nu_max > 0.0F;
+            const float least = turns ? 0.0F : std::min(std::abs(view.nu_min), std::abs(view.nu_max));
+            shown = needed * selection.per_ink * most_shown(std::min(least, 1.0F), std::min(nu, 1.0F));
+        }
     }
     return 1.001F * selection.share * selection.fade_factor * fields.most_density * shown + 1e-5F;
 }
@@ -241,6 +249,7 @@ struct VisibleCluster {
     // front marks fades near the contour.
     const bool vanishes = selection.fade > 0.0F && !selection.coverage && !selection.is_published;
     selection.vanishing_nu = vanishes ? layer_tuning.front_fade : 0.0F;
+    selection.flat_places = v.run.even_in_picture ? v.all.flat_places.data() : nullptr;
     return selection;
 }
 
@@ -415,6 +424,23 @@ void add_splats(const RunView& v, const VisibleCluster& visible, const Projected
     return scratch;
 }
 
+[[nodiscard]] EvenMark even_mark(const RunView& v, const glm::vec2& at, float facing, float pixels_per_unit, float flat,
+                                 float limit, float place) noexcept {
+    const glm::vec4& window = v.scene.lens.viewport;
+    const glm::vec2 corner(window);
+    const glm::vec2 beyond = glm::max(corner - at, at - corner - glm::vec2(window.z, window.w));
+    facing = std::min(facing, 1.0F);
+    const float spacing = v.run.discs.spacing * pixels_per_unit;
+    return {place,
+            spacing * own_distance(facing) / std::sqrt(std::max(place, 1e-9F)),
+            spacing * std::sqrt(facing / std::max(limit * (1.0F - 0.5F * v.item.style.tone_fade), 1e-9F)),
+            flat,
+            limit,
+            facing,
+            std::max({beyond.x, beyond.y, 0.0F}),
+            v.item.style.tone_fade};
+}
+
 // Adds the dots of the first `count` marks. `fields` has the effects of fields, or is NULL if the run has none.
 void add_dots(const RunView& v, const VisibleCluster& visible, const Selection& selection,
               const ProjectedMarks& projected, std::int64_t count, const FieldRows* fields,
@@ -455,6 +481,10 @@ void add_dots(const RunView& v, const VisibleCluster& visible, const Selection& 
             const bool faces_back = (projected.nu[i] > 0.0F) != v.run.turned;
             const auto flags = static_cast<std::uint8_t>((faces_back ? dot_faces_back : 0) |
                                                          (v.item.model != nullptr ? dot_is_exact : 0));
+            if (out.even != nullptr)
+                *out.even++ = even_mark(v, {projected.x[i], projected.y[i]}, std::abs(projected.nu[i]),
+                                        projected.pixels_per_unit[i], selected.flat[i], selected.limit[i],
+                                        1.0F - visible.blocks[i / MarkBlock::size].rank[i % MarkBlock::size]);
             *out.dot++ = {projected.x[i],
                           projected.y[i],
                           std::sqrt(radius * radius * selected.front[i]),
@@ -486,7 +516,8 @@ void gather_cluster(const RunView& v, const marks::Cluster& cluster, const Proje
     const ClusterView& view = visible.view;
     const float ink = v.run.draws_front ? v.run.discs.front_ink(view.pixels_per_unit) : 0.0F;
     const bool has_widths = v.run.fields.width != nullptr;
-    if (view.beyond > (has_widths ? RunFields::most_factor : 1.0F) * ink + soft_rim) {
+    const float margin = v.run.even_in_picture ? layer_tuning.even_margin : 0.0F;
+    if (view.beyond > (has_widths ? RunFields::most_factor : 1.0F) * ink + soft_rim + margin) {
         counts.outside += marks;
         return;
     }
@@ -507,7 +538,7 @@ void gather_cluster(const RunView& v, const marks::Cluster& cluster, const Proje
     if (has_fields)
         fields = v.run.fields.effects_on(
             marks, [&](std::int64_t i) { return visible.mark(i); }, rows);
-    const Selection selection = selection_of(v, visible, fields.most_width * ink + soft_rim);
+    const Selection selection = selection_of(v, visible, fields.most_width * ink + soft_rim + margin);
     const std::int64_t inks = tone ? count_shown(visible, largest_shown_share(v, selection, visible, fields)) : 0;
     if (!visible.is_uniform)
         counts.culled += marks - inks;
@@ -530,6 +561,9 @@ void gather(const base::Runtime& runtime, const Scene& scene, Gathering& all, dr
     ask_tones(scene, loops, all);
     base::resize_scratch(drawing.dots, scene.place_count());
     base::resize_scratch(drawing.splats, scene.place_count());
+    const bool any_even =
+        std::any_of(scene.runs.begin(), scene.runs.end(), [](const Run& r) { return r.even_in_picture; });
+    base::resize_scratch(all.even, any_even ? scene.place_count() : 0);
     base::resize_scratch(drawing.dot_ranges, all.tasks.size());
     base::resize_scratch(drawing.splat_ranges, all.tasks.size());
     base::resize_scratch(all.counts, all.tasks.size());
@@ -546,7 +580,10 @@ void gather(const base::Runtime& runtime, const Scene& scene, Gathering& all, dr
                            all,
                            static_cast<std::uint32_t>(task.run)};
         const std::int64_t place = run.first_place + clusters.cluster[task.begin].block * MarkBlock::size;
-        GatherOutput out{drawing.dots.data() + place, drawing.splats.data() + place, {}};
+        GatherOutput out{drawing.dots.data() + place,
+                         run.even_in_picture ? all.even.data() + place : nullptr,
+                         drawing.splats.data() + place,
+                         {}};
         for (std::int64_t c = task.begin; c < task.end; ++c) {
             if (c + 4 < clusters.cluster.size()) base::prefetch(&clusters.block[clusters.cluster[c + 4].block], 1);
             gather_cluster(view, clusters.cluster[c], loops, out);

@@ -6,6 +6,7 @@
 
 #include "base/runtime.h"
 #include "drawing/drawing.h"
+#include "frame/depth_layers/even.h"
 #include "frame/scene/ink.h"
 #include "frame/scene/scene.h"
 
@@ -52,7 +53,7 @@ struct GatherTask {
 struct Gathering {
     explicit Gathering(base::Memory& memory) noexcept
         : sights(memory), tau(memory), inks(memory), terms(memory), transmittances(memory), transmittance_of(memory),
-          tasks(memory), counts(memory), tone_calls(memory) {}
+          tasks(memory), counts(memory), tone_calls(memory), even(memory) {}
 
     Frustum frustum;
     base::Array<ItemSight> sights; // one element for each item
@@ -67,10 +68,13 @@ struct Gathering {
     base::Array<GatherTask> tasks;
     base::Array<Counts> counts; // one element for each task
     ToneCalls tone_calls;
+    // For each dot, if runs are even in the picture. Only elements of such runs have values.
+    base::Array<EvenMark> even;
+    std::array<float, needed_steps + 1> flat_places{}; // flat_place() of each |n . v| = k / needed_steps
 
     [[nodiscard]] std::int64_t bytes() const noexcept {
         return sights.bytes() + tau.bytes() + inks.bytes() + terms.bytes() + transmittances.bytes() +
-               transmittance_of.bytes() + tasks.bytes() + counts.bytes() + tone_calls.bytes();
+               transmittance_of.bytes() + tasks.bytes() + counts.bytes() + tone_calls.bytes() + even.bytes();
     }
 };
 

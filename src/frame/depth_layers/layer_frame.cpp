@@ -51,14 +51,11 @@ void take_layers(const base::Parallel& parallel, const Scene& scene, drawing::Dr
 }
 
 // Puts all dots into tiles, except dots of hatching.
-void bin_dots(const base::Parallel& parallel, const Scene& scene, std::span<const IndexRange> pieces,
-              drawing::Drawing& drawing) {
-    const glm::vec4& v = scene.lens.viewport;
-    drawing.first_pixel = glm::ivec2(std::floor(v.x), std::floor(v.y));
+void bin_dots(const base::Parallel& parallel, std::span<const IndexRange> pieces, drawing::Drawing& drawing) {
     const auto left = static_cast<float>(drawing.first_pixel.x);
     const auto top = static_cast<float>(drawing.first_pixel.y);
-    const auto width = static_cast<std::int32_t>(std::ceil(v.x + v.z - left));
-    const auto height = static_cast<std::int32_t>(std::ceil(v.y + v.w - top));
+    const std::int32_t width = drawing.pixels.x;
+    const std::int32_t height = drawing.pixels.y;
     drawing.dot_tiles.build(parallel, width, height, pieces, [&](std::int64_t i, drawing::Tiles::Footprint& print) {
         const Dot& ink = drawing.dots[i];
         // A dot that is just outside the picture belongs to the nearest tile.
@@ -358,24 +355,28 @@ std::int64_t cast_dot_rays(const base::Runtime& runtime, const Scene& scene, con
 } // namespace
 
 LayerFrame::LayerFrame(const base::Runtime& runtime) noexcept
-    : runtime_(runtime), gathering_(runtime.memory), hatch_points_(runtime), hatch_tiles_(runtime),
-      edges_(runtime.memory), layers_(runtime.memory), dot_of_(runtime.memory), joined_(runtime.memory),
-      line_(runtime.memory), line_inks_(runtime.memory), ready_(runtime.memory), keys_(runtime.memory),
-      order_(runtime.memory) {}
+    : runtime_(runtime), gathering_(runtime.memory), even_order_(runtime.memory), hatch_points_(runtime),
+      hatch_tiles_(runtime), edges_(runtime.memory), layers_(runtime.memory), dot_of_(runtime.memory),
+      joined_(runtime.memory), line_(runtime.memory), line_inks_(runtime.memory), ready_(runtime.memory),
+      keys_(runtime.memory), order_(runtime.memory) {}
 
 void LayerFrame::run(const Scene& scene, const LineStrokes& lines, const base::Progress& progress,
                      drawing::Drawing& drawing) {
     drawing.painting = drawing::Painting::transmittance;
     find_color(scene, drawing);
+    const glm::vec4& v = scene.lens.viewport;
+    drawing.first_pixel = glm::ivec2(std::floor(v.x), std::floor(v.y));
+    drawing.pixels = glm::ivec2(std::ceil(v.x + v.z), std::ceil(v.y + v.w)) - drawing.first_pixel;
     base::Stopwatch watch;
     gather(runtime_, scene, gathering_, drawing);
+    even_order_.run(runtime_, scene, gathering_.even.span(), drawing);
     const std::int64_t gathered = drawing.dot_ranges.size();
     hatch_points_.run({scene, gathering_.sights.span(), gathering_.frustum, gathering_.tau.span()}, drawing);
     drawing.counts.nanoseconds_classify = watch.nanoseconds();
 
     progress.update(layer_tuning.gathered_share);
     watch.restart();
-    bin_dots(runtime_.parallel, scene, drawing.dot_ranges.span().first(static_cast<std::size_t>(gathered)), drawing);
+    bin_dots(runtime_.parallel, drawing.dot_ranges.span().first(static_cast<std::size_t>(gathered)), drawing);
     hatch_tiles_.build(hatch_points_.batches(), drawing);
     drawing.counts.nanoseconds_sort = watch.nanoseconds();
 
@@ -502,9 +503,9 @@ void LayerFrame::add_strokes(const LineStrokes& lines, drawing::Drawing& drawing
 }
 
 std::int64_t LayerFrame::bytes() const noexcept {
-    return gathering_.bytes() + hatch_points_.bytes() + hatch_tiles_.bytes() + edges_.bytes() + layers_.bytes() +
-           dot_of_.bytes() + joined_.strokes.bytes() + joined_.points.bytes() + line_.bytes() + line_inks_.bytes() +
-           ready_.bytes() + keys_.bytes() + order_.bytes();
+    return gathering_.bytes() + even_order_.bytes() + hatch_points_.bytes() + hatch_tiles_.bytes() + edges_.bytes() +
+           layers_.bytes() + dot_of_.bytes() + joined_.strokes.bytes() + joined_.points.bytes() + line_.bytes() +
+           line_inks_.bytes() + ready_.bytes() + keys_.bytes() + order_.bytes();
 }
 
 } // namespace hrbfnpr::frame

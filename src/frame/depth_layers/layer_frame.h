@@ -2,7 +2,7 @@
 // A drawing by depth layers: ink is dimmed by the layers of surface in front of it.
 //
 // | step | function | makes |
-// | 1 | gather | dots and splats of marks |
+// | 1 | gather, EvenOrder | dots and splats of marks |
 // | 2 | HatchPoints | dots along hatching |
 // | 3 | bin_dots, HatchTiles | tiles of dots |
 // | 4 | dim_by_layers, dim_by_rays | opacities |
@@ -64,6 +64,7 @@ private:
 
     const base::Runtime& runtime_;
     Gathering gathering_;
+    EvenOrder even_order_;
     HatchPoints hatch_points_;
     HatchTiles hatch_tiles_;
     NearerEdges edges_;

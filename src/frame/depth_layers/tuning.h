@@ -11,6 +11,43 @@ struct LayerTuning {
     // fade. Larger: a paler rim.
     float front_fade = 0.08F;
 
+    // ---- Stipples that are even in the picture. Distances are in units of the square root of the area of a mark.
+
+    // Where |n . v| is this much below 1, twice as many marks as wanted may be shown, and then smaller marks fill gaps.
+    // Larger: fewer small marks, and rows where the surface turns away.
+    float even_turn = 0.4F;
+    // Marks get smaller over this part of the distance below which they are too near. Larger: more small marks, and
+    // tones with less grain.
+    float even_soft = 0.6F;
+    // An earlier mark counts fully if the distance that it can keep is larger than needed by this share. Larger: denser
+    // marks with less even distances.
+    float even_shown = 0.6F;
+    // Marks with less than this part of their area are left out. Larger: fewer small marks, more grain.
+    float even_least = 0.05F;
+    // The least distance of two marks in the order of the picture. Marks of an order on a surface that faces the eye
+    // are always farther from each other.
+    float even_distance = 0.75F;
+    // A mark keeps away from an earlier one if that can keep this many times the distance of the two. From the second
+    // number on, it keeps away fully. Larger: marks are denser, and their distances vary more. A larger difference:
+    // slower changes from frame to frame.
+    float claim_begins = 1.1F;
+    float claim_whole = 1.2F;
+    // In between, the distance that is kept grows by this share. Below the weight `claim_end` it grows without limit.
+    // Larger: marks change faster from frame to frame.
+    float claim_rise = 0.35F;
+    float claim_end = 0.2F;
+    // Distances are exact up to this many times the distance that a tone wants. Larger: more time, and fewer errors
+    // where the tone changes fast.
+    float even_most = 1.6F;
+    // Two marks are on one sheet of a surface if their depths differ by at most this many times the most that the slope
+    // there allows, plus a pixel. Larger: hidden marks keep away more of the marks in front of them.
+    float same_sheet = 1.5F;
+    // Marks up to this many pixels outside the window count, too. Larger: more time, and steadier marks near the border
+    // of the picture.
+    float even_margin = 32.0F;
+    // The most cells along the side of a tile, in which near marks are searched. Larger: more memory, less time.
+    std::int32_t most_even_cells = 32;
+
     // ---- Splats
 
     // The radius of splats in spacings; half a pixel is added. In a blue-noise order, no place is farther than 0.8

@@ -252,19 +252,25 @@ HWY_INLINE M inside(const Selection& j, const ProjectedMarks& projected, std::in
                    hn::Gt(hn::LoadU(d, projected.pixels_per_unit + at), hn::Zero(d)));
 }
 
+// Returns the value at `share` of a table whose elements belong to the shares k / needed_steps.
+HWY_INLINE W at_step(const float* table, W share) {
+    const F d;
+    const hn::RebindToSigned<F> integer;
+    const W at = hn::Mul(share, hn::Set(d, static_cast<float>(needed_steps)));
+    const auto cell =
+        hn::Max(hn::Min(hn::ConvertTo(integer, at), hn::Set(integer, needed_steps - 1)), hn::Zero(integer));
+    const W below = hn::GatherIndex(d, table, cell);
+    const W above = hn::GatherIndex(d, table + 1, cell);
+    return hn::Add(below, hn::Mul(hn::Sub(above, below), hn::Sub(at, hn::ConvertTo(d, cell))));
+}
+
 // Returns the share of the marks that is shown for a tone.
 HWY_INLINE W shown_for(const Selection& j, W tau, W nu) {
     const F d;
     const W one = hn::Set(d, 1.0F);
     W shown = hn::Sub(one, tau);
     if (j.coverage) {
-        const hn::RebindToSigned<F> integer;
-        const W at = hn::Mul(shown, hn::Set(d, static_cast<float>(needed_steps)));
-        const auto cell =
-            hn::Max(hn::Min(hn::ConvertTo(integer, at), hn::Set(integer, needed_steps - 1)), hn::Zero(integer));
-        const W below = hn::GatherIndex(d, j.needed, cell);
-        const W above = hn::GatherIndex(d, j.needed + 1, cell);
-        const W needed = hn::Add(below, hn::Mul(hn::Sub(above, below), hn::Sub(at, hn::ConvertTo(d, cell))));
+        const W needed = at_step(j.needed, shown);
         shown = hn::Min(one, hn::Mul(hn::Mul(needed, hn::Abs(nu)), hn::Set(d, j.per_ink)));
     }
     return hn::Mul(shown, hn::Set(d, j.share * j.fade_factor));
@@ -273,7 +279,8 @@ HWY_INLINE W shown_for(const Selection& j, W tau, W nu) {
 HWY_INLINE std::int32_t count(M mask) { return static_cast<std::int32_t>(hn::CountTrue(F(), mask)); }
 
 // Returns how much of each front mark is drawn. Counts the reasons why marks are not drawn.
-HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W density, W tau_depth, M front, Selected& selected) {
+HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W density, W tau_depth, M front, W& limit,
+                      Selected& selected) {
     const F d;
     const W zero = hn::Zero(d);
     const W scale = hn::Set(d, j.scale);
@@ -291,7 +298,8 @@ HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W density, W tau
         const W shown = hn::Mul(shown_for(j, tau, nu), density);
         by_tone = grown(place, shown, j.fade);
         by_zoom = j.scale < 1.0F ? grown(place, hn::Mul(shown, scale), j.fade) : by_tone;
-        area = grown(place, hn::Mul(hn::Mul(shown, scale), tau_depth), j.fade);
+        limit = hn::Mul(hn::Mul(shown, scale), tau_depth);
+        area = grown(place, limit, j.flat_places != nullptr ? 0.0F : j.fade);
         if (j.vanishing_nu > 0.0F)
             area = hn::Mul(area, hn::Min(hn::Set(d, 1.0F), hn::Mul(hn::Abs(nu), hn::Set(d, 1.0F / j.vanishing_nu))));
     }
@@ -319,16 +327,23 @@ void select(const Selection& j, const MarkRange& range, const ProjectedMarks& pr
         const M valid = j.all_inside ? all : hn::And(all, inside(j, projected, at));
         selected.outside += count(hn::AndNot(valid, all));
         const W nu = hn::LoadU(d, projected.nu + at);
-        const W place = hn::Sub(one, hn::LoadU(d, m.rank + in_block));
+        W place = hn::Sub(one, hn::LoadU(d, m.rank + in_block));
+        // Lanes after the last mark hold arbitrary bits, which must not become an index into a table.
+        if (j.flat_places != nullptr)
+            place = hn::Mul(place, at_step(j.flat_places, hn::IfThenElseZero(valid, hn::Abs(nu))));
         const W density = densities == nullptr ? one : hn::LoadU(d, densities + at);
         const W tau_depth = tau_depths == nullptr ? one : hn::LoadU(d, tau_depths + at);
         const M faces = hn::And(valid, hn::Lt(nu, zero));
         const std::int32_t fronts = count(faces);
         selected.fronts += fronts;
         selected.backs += count(valid) - fronts;
-        // Lanes after the last mark hold arbitrary bits, which must not become an index into a table.
         const W tau = hn::IfThenElseZero(all, hn::LoadU(d, taus + at));
-        const W front = front_of(j, nu, place, tau, density, tau_depth, faces, selected);
+        W limit = one;
+        const W front = front_of(j, nu, place, tau, density, tau_depth, faces, limit, selected);
+        if (j.flat_places != nullptr) {
+            hn::StoreU(place, d, selected.flat + at);
+            hn::StoreU(limit, d, selected.limit + at);
+        }
         hn::StoreU(front, d, selected.front + at);
         const M drawn = hn::Gt(front, zero);
         std::uint8_t bits[8] = {};

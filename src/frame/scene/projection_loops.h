@@ -103,6 +103,9 @@ struct Selection {
     float per_ink, share, fade_factor, scale;
     float fade;         // 0: a mark is shown in full or not at all
     float vanishing_nu; // > 0: ink fades where |nu| is below this value
+    // For marks that are even in the picture: their place there, as a share of 1 - rank, for each |nu| = k /
+    // needed_steps. Then `front` is 1 for each mark that may be shown. NULL for other marks.
+    const float* flat_places;
 };
 inline constexpr int needed_steps = 64;
 
@@ -110,6 +113,8 @@ struct Selected {
     float front[ProjectedMarks::most]; // the share of each mark's area that is drawn
     std::uint16_t
         drawn[ProjectedMarks::most]; // a bit for each mark whose share is not 0; an element holds `lanes` marks
+    // For marks that are even in the picture: their least place there, and the place up to which they are shown.
+    float flat[ProjectedMarks::most], limit[ProjectedMarks::most];
     std::int32_t lanes;
     std::int32_t outside, fronts, backs;
     std::int32_t dropped_tone, dropped_zoom, dropped_depth;

@@ -158,6 +158,8 @@ struct Run {
     std::uint32_t directions = 3; // the directions whose strokes are front ink; bit 0 is the first, bit 1 the second
     Shape shape = Shape::dots;    // How front ink is drawn. Marks without strokes are always dots.
     bool draws_front = false;
+    // True if the marks are spread evenly in the picture. False: they keep their even order on the surface.
+    bool even_in_picture = false;
     bool makes_tone = true; // true if the ink of the run counts for the tone of its item
     bool splats = false;    // true if the marks are the splats that show where the layers of the item are
     // True for the other side of the surface. Its normals are opposite to the normals of the marks.

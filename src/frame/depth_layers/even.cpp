@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+// EvenOrder::run, step by step:
+//
+// 1. sort: sorts the marks into tiles, and those of each tile by their order on the surface and into cells
+// 2. find_claims: finds for each mark the marks before it that may be too near
+// 3. settle_tile: finds the distances of a tile's marks. A distance depends only on the distances of marks before it.
+//    So rounds over all tiles end, and the result depends neither on the tiles nor on the number of rounds.
+// 4. run: sets radii, and removes the dots that are not shown
+#include "frame/depth_layers/even.h"
+
+#include "base/scratch.h"
+#include "frame/depth_layers/tuning.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace hrbfnpr::frame {
+namespace {
+
+// For n . v = k / 10: how far marks keep away from each other, in units of the distance of the densest packing with the
+// wanted number of marks. With these distances, the ink is that of marks that ignore each other. Measured
+// (docs/measurements.md).
+constexpr std::array<float, 21> reaches = {0.854F, 0.854F, 0.854F, 0.854F, 0.855F, 0.856F, 0.859F,
+                                           0.863F, 0.867F, 0.874F, 0.880F, 0.887F, 0.895F, 0.902F,
+                                           0.909F, 0.914F, 0.916F, 0.917F, 0.914F, 0.889F, 0.700F};
+// The distance of the densest packing, in units of the square root of the area of a mark.
+constexpr float packed = 1.0745699F;
+
+[[nodiscard]] float reach_at(float facing) noexcept {
+    const float at = facing * static_cast<float>(reaches.size() - 1);
+    const auto cell = static_cast<std::size_t>(std::min(at, static_cast<float>(reaches.size() - 2)));
+    return reaches[cell] + (reaches[cell + 1] - reaches[cell]) * (at - static_cast<float>(cell));
+}
+
+// Returns how many times as many marks may be shown as the tone wants, because others will be left out.
+[[nodiscard]] float surplus(float facing) noexcept {
+    return 1.0F + std::min(1.0F, (1.0F - facing) / layer_tuning.even_turn);
+}
+
+// Returns the part of a mark's area that is drawn at a place in the order of the picture, as select() does.
+[[nodiscard]] float grown(float place, float shown, float fade) noexcept {
+    if (!(shown > 0.0F) || place > shown) return 0.0F;
+    return fade > 0.0F ? std::min(1.0F, (shown - place) / (fade * shown)) : 1.0F;
+}
+
+// Returns the distance that a mark can keep from an earlier one. It rises from `distance` at the weight 1, slowly at
+// first, and has no limit at the weight 0.
+[[nodiscard]] float kept_distance(float distance, float weight) noexcept {
+    const float rise = 1.0F + layer_tuning.claim_rise * (1.0F - weight);
+    return distance * rise / std::min(1.0F, weight / layer_tuning.claim_end);
+}
+
+} // namespace
+
+float own_distance(float facing) noexcept { return std::sqrt(std::sqrt(facing) * surplus(facing)); }
+float flat_place(float facing) noexcept { return std::sqrt(facing) / surplus(facing); }
+
+float most_shown(float least, float most) noexcept {
+    const float facing = std::clamp(1.0F - layer_tuning.even_turn, least, most);
+    return facing / flat_place(facing);
+}
+
+EvenOrder::EvenOrder(base::Memory& memory) noexcept
+    : range_(memory), in_range_(memory), removed_(memory), tiles_(memory, drawing::tile_size), first_(memory),
+      keys_(memory), spots_(memory), cell_first_(memory), in_cell_(memory), tile_(memory), distance_(memory),
+      previous_(memory) {}
+
+// Returns the column or the row of the cell at a place. Places outside the picture belong to the nearest cell.
+std::int32_t EvenOrder::cell_along(float at, std::int32_t tiles) const noexcept {
+    const auto last = static_cast<float>(tiles * cells_ - 1);
+    return static_cast<std::int32_t>(std::clamp(at * (static_cast<float>(cells_) / drawing::tile_size), 0.0F, last));
+}
+
+// Copies the marks of a tile in their order, and sorts them into cells.
+void EvenOrder::fill_tile(std::span<const EvenMark> marks, const drawing::Drawing& drawing, std::int64_t number) {
+    const std::int64_t begin = first_[number];
+    const std::int64_t count = first_[number + 1] - begin;
+    std::uint64_t* const keys = keys_.data() + begin;
+    std::int64_t added = 0;
+    tiles_.for_tile(number, [&](std::uint32_t dot) {
+        keys[added++] = std::uint64_t{std::bit_cast<std::uint32_t>(marks[dot].place)} << 32U | dot;
+    });
+    HRBFNPR_ASSERT(added == count);
+    std::sort(keys, keys + count);
+    const std::int64_t cells = std::int64_t{cells_} * cells_;
+    std::uint32_t* const first = cell_first_.data() + number * cells;
+    std::fill_n(first, cells, 0U);
+    for (std::int64_t i = 0; i < count; ++i) {
+        const auto index = static_cast<std::uint32_t>(keys[i]);
+        const EvenMark& mark = marks[index];
+        const Dot& dot = drawing.dots[index];
+        const float x = dot.x - static_cast<float>(drawing.first_pixel.x);
+        const float y = dot.y - static_cast<float>(drawing.first_pixel.y);
+        const std::int32_t column = cell_along(x, tiles_.columns()) % cells_;
+        const std::int32_t row = cell_along(y, tiles_.rows()) % cells_;
+        const float inside = 2.0F * (1.0F - mark.outside / layer_tuning.even_margin);
+        spots_[begin + i] = {keys[i],
+                             x,
+                             y,
+                             dot.depth * dot.pixels_per_unit,
+                             std::min(mark.own, layer_tuning.even_most * mark.wanted),
+                             reach_at(mark.facing) * packed * mark.wanted,
+                             mark.wanted,
+                             mark.facing,
+                             std::clamp(inside, 0.0F, 1.0F),
+                             dot.layer,
+                             static_cast<std::uint32_t>(row * cells_ + column)};
+        ++first[spots_[begin + i].cell];
+    }
+    std::exclusive_scan(first, first + cells, first, static_cast<std::uint32_t>(begin));
+    for (std::int64_t i = begin; i < begin + count; ++i)
+        in_cell_[first[spots_[i].cell]++] = static_cast<std::uint32_t>(i);
+    // Now each element is the end of its cell. Shifting makes it the begin of the next.
+    std::copy_backward(first, first + cells - 1, first + cells);
+    first[0] = static_cast<std::uint32_t>(begin);
+}
+
+void EvenOrder::sort(const base::Parallel& parallel, std::span<const EvenMark> marks, const drawing::Drawing& drawing) {
+    const glm::vec2 first(drawing.first_pixel);
+    const glm::vec2 last(drawing.pixels - 1);
+    tiles_.build(parallel, drawing.pixels.x, drawing.pixels.y, in_range_.span(),
+                 [&](std::int64_t i, drawing::Tiles::Footprint& print) {
+                     const glm::vec2 at(drawing.dots[i].x, drawing.dots[i].y);
+                     const glm::vec2 inside = glm::clamp(at - first, glm::vec2(0.0F), last);
+                     print = {inside.x, inside.y, inside.x, inside.y};
+                     return true;
+                 });
+    const std::int64_t tiles = tiles_.tiles();
+    base::resize_scratch(first_, tiles + 1);
+    first_[0] = 0;
+    std::int64_t used = 0;
+    for (std::int64_t i = 0; i < tiles; ++i) {
+        const std::int64_t count = tiles_.count(i);
+        used += count > 0;
+        first_[i + 1] = first_[i] + count;
+    }
+    const std::int64_t count = first_[tiles];
+    // A power of two, so that a cell has about one mark.
+    cells_ = 1;
+    while (cells_ < layer_tuning.most_even_cells && used * (cells_ * cells_) < count) cells_ *= 2;
+    base::resize_scratch(keys_, count);
+    base::resize_scratch(spots_, count);
+    base::resize_scratch(in_cell_, count);
+    base::resize_scratch(cell_first_, tiles * cells_ * cells_ + 1);
+    cell_first_[tiles * cells_ * cells_] = static_cast<std::uint32_t>(count);
+    while (tile_.size() < tiles) tile_.add(tile_.memory());
+    parallel.for_each(tiles, [&](std::int64_t i) { fill_tile(marks, drawing, i); });
+}
+
+// Adds the claims of the marks before a mark that are on the same sheet of the surface.
+void EvenOrder::add_claims(const Spot& spot, base::Array<Claim>& claims) const {
+    const float reach = std::max(spot.reach, layer_tuning.even_distance * spot.most);
+    const std::int32_t left = cell_along(spot.x - reach, tiles_.columns());
+    const std::int32_t right = cell_along(spot.x + reach, tiles_.columns());
+    const std::int32_t bottom = cell_along(spot.y + reach, tiles_.rows());
+    for (std::int32_t row = cell_along(spot.y - reach, tiles_.rows()); row <= bottom; ++row) {
+        for (std::int32_t column = left; column <= right; ++column) {
+            const std::int64_t tile = std::int64_t{row / cells_} * tiles_.columns() + column / cells_;
+            const std::int64_t cell = (tile * cells_ + row % cells_) * cells_ + column % cells_;
+            for (std::uint32_t k = cell_first_[cell]; k < cell_first_[cell + 1]; ++k) {
+                const Spot& other = spots_[in_cell_[k]];
+                if (other.order >= spot.order) break;
+                const float x = other.x - spot.x;
+                const float y = other.y - spot.y;
+                const float pixels = std::sqrt(x * x + y * y);
+                if (other.run != spot.run || pixels >= reach) continue;
+                // On one sheet, depths differ by at most the distance times the slope.
+                const float slope = 1.0F / std::max(std::min(spot.facing, other.facing), scene_tuning.smallest_cosine);
+                const float apart = std::abs(other.depth - spot.depth);
+                const float same = 2.0F - apart / (layer_tuning.same_sheet * (pixels * slope + 1.0F));
+                const float weight = std::min(1.0F, same) * other.weight;
+                if (weight > 0.0F) claims.push_back({in_cell_[k], std::max(pixels, 1e-6F), weight});
+            }
+        }
+    }
+}
+
+void EvenOrder::find_claims(std::int64_t number) {
+    Tile& tile = tile_[number];
+    tile.first.clear();
+    tile.claims.clear();
+    for (std::int64_t i = first_[number]; i < first_[number + 1]; ++i) {
+        tile.first.push_back(static_cast<std::uint32_t>(tile.claims.size()));
+        add_claims(spots_[i], tile.claims);
+        previous_[i] = spots_[i].most;
+    }
+    tile.first.push_back(static_cast<std::uint32_t>(tile.claims.size()));
+}
+
+// Finds the distances of the marks of a tile from the distances of the marks before them. Those of other tiles are from
+// the round before.
+void EvenOrder::settle_tile(std::int64_t number) {
+    Tile& tile = tile_[number];
+    const std::int64_t begin = first_[number];
+    const std::int64_t end = first_[number + 1];
+    constexpr float per_range = 1.0F / (layer_tuning.claim_whole - layer_tuning.claim_begins);
+    tile.changed = false;
+    for (std::int64_t i = begin; i < end; ++i) {
+        float distance = spots_[i].most;
+        for (std::uint32_t k = tile.first[i - begin]; k < tile.first[i - begin + 1]; ++k) {
+            const Claim& claim = tile.claims[k];
+            const bool own = claim.spot >= begin && claim.spot < end;
+            const float other = own ? distance_[claim.spot] : previous_[claim.spot];
+            const float apart = claim.pixels / layer_tuning.even_distance;
+            const float part = (other / apart - layer_tuning.claim_begins) * per_range;
+            const float weight = std::min(part, 1.0F) * claim.weight;
+            if (weight > 0.0F) distance = std::min(distance, kept_distance(apart, weight));
+        }
+        distance_[i] = distance;
+        tile.changed = tile.changed || distance != previous_[i];
+    }
+}
+
+// Returns the part of its area that a mark keeps beside the marks before it.
+float EvenOrder::part_of(const Spot& spot, std::span<const Claim> claims) const noexcept {
+    const float share = spot.reach / spot.wanted;
+    float part = 1.0F;
+    for (const Claim& claim : claims) {
+        if (claim.pixels >= spot.reach) continue;
+        // How far the other one is shown where the picture is so large that the two are just not too near.
+        const float shown = (previous_[claim.spot] * share / claim.pixels - 1.0F) / layer_tuning.even_shown;
+        const float near = (1.0F - claim.pixels / spot.reach) / layer_tuning.even_soft;
+        const float t = std::min(near, 1.0F);
+        part *= 1.0F - t * t * (3.0F - 2.0F * t) * std::clamp(shown, 0.0F, 1.0F) * claim.weight;
+    }
+    return std::max(0.0F, (part - layer_tuning.even_least) / (1.0F - layer_tuning.even_least));
+}
+
+// Makes dots smaller.
+void EvenOrder::shrink(const base::Parallel& parallel, std::span<const EvenMark> marks,
+                       drawing::Drawing& drawing) const {
+    parallel.for_each(tiles_.tiles(), [&](std::int64_t number) {
+        const Tile& tile = tile_[number];
+        for (std::int64_t i = first_[number]; i < first_[number + 1]; ++i) {
+            const auto index = static_cast<std::uint32_t>(spots_[i].order);
+            const EvenMark& mark = marks[index];
+            const std::int64_t k = i - first_[number];
+            const std::span claims(tile.claims.data() + tile.first[k], tile.claims.data() + tile.first[k + 1]);
+            drawing.dots[index].radius *=
+                std::sqrt(grown(mark.flat, mark.shown, mark.fade) * part_of(spots_[i], claims));
+        }
+    });
+}
+
+void EvenOrder::remove_hidden(const base::Parallel& parallel, std::span<const EvenMark> marks,
+                              drawing::Drawing& drawing) {
+    base::resize_scratch(removed_, range_.size());
+    parallel.for_each(range_.size(), [&](std::int64_t r) {
+        Removed removed;
+        IndexRange& range = drawing.dot_ranges[range_[r]];
+        std::int64_t end = range.begin;
+        for (std::int64_t i = range.begin; i < range.end; ++i) {
+            const Dot& dot = drawing.dots[i];
+            if (marks[static_cast<std::size_t>(i)].outside > dot.radius + soft_rim) {
+                ++removed.outside;
+            } else if (!(dot.radius > 0.0F)) {
+                ++removed.by_tone;
+            } else {
+                drawing.dots[end++] = dot;
+            }
+        }
+        range.end = end;
+        removed_[r] = removed;
+    });
+    for (const Removed& removed : removed_) {
+        drawing.counts.dropped_tone += removed.by_tone;
+        drawing.counts.outside += removed.outside;
+        drawing.counts.front -= removed.outside;
+    }
+}
+
+void EvenOrder::run(const base::Runtime& runtime, const Scene& scene, std::span<const EvenMark> marks,
+                    drawing::Drawing& drawing) {
+    const base::Parallel& parallel = runtime.parallel;
+    range_.clear();
+    in_range_.clear();
+    for (std::int64_t r = 0; r < drawing.dot_ranges.size(); ++r) {
+        const IndexRange& range = drawing.dot_ranges[r];
+        if (range.begin == range.end || !scene.runs[drawing.dots[range.begin].layer].even_in_picture) continue;
+        range_.push_back(r);
+        in_range_.push_back(range);
+    }
+    if (range_.empty()) return;
+    sort(parallel, marks, drawing);
+    base::resize_scratch(distance_, spots_.size());
+    base::resize_scratch(previous_, spots_.size());
+    parallel.for_each(tiles_.tiles(), [&](std::int64_t i) { find_claims(i); });
+    for (bool changed = true; changed; std::swap(distance_, previous_)) {
+        parallel.for_each(tiles_.tiles(), [&](std::int64_t i) { settle_tile(i); });
+        changed = std::any_of(tile_.begin(), tile_.begin() + tiles_.tiles(), [](const Tile& t) { return t.changed; });
+    }
+    shrink(parallel, marks, drawing);
+    remove_hidden(parallel, marks, drawing);
+}
+
+std::int64_t EvenOrder::bytes() const noexcept {
+    std::int64_t claims = 0;
+    for (const Tile& tile : tile_) claims += tile.first.bytes() + tile.claims.bytes();
+    return range_.bytes() + in_range_.bytes() + removed_.bytes() + tiles_.bytes() + first_.bytes() + keys_.bytes() +
+           spots_.bytes() + cell_first_.bytes() + in_cell_.bytes() + tile_.bytes() + claims + distance_.bytes() +
+           previous_.bytes();
+}
+
+} // namespace hrbfnpr::frame

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Spreads stipples evenly in the picture.
+//
+// The order of stipples is even on the surface. In the picture, a surface that turns away has its marks closer together
+// in one direction, so they form rows. Therefore each mark gets a place in an order of the picture, by a rule like that
+// of dart throwing with a falling radius [McCool & Fiume 1992]: the place stands for the largest distance that the mark
+// keeps from the marks before it. A tone shows the marks whose distance is large enough.
+//
+// The distances depend on the camera, but not on tones. All of them grow with the zoom, so zooming in removes no mark.
+// They are continuous in the places of the marks in the picture, so marks grow and shrink smoothly.
+#pragma once
+
+#include "base/list.h"
+#include "base/runtime.h"
+#include "drawing/drawing.h"
+#include "frame/scene/scene.h"
+
+#include <span>
+
+namespace hrbfnpr::frame {
+
+// A mark that its tone may show. It has the index of its dot.
+struct EvenMark {
+    float place;   // in the order on the surface: 1 - rank
+    float own;     // the distance in pixels that this place stands for
+    float wanted;  // the distance in pixels that the tone wants
+    float flat;    // its place among the marks that may be shown
+    float shown;   // it may be shown up to this place
+    float facing;  // |n . v|
+    float outside; // the distance of its centre from the window, in pixels
+    float fade;    // the share of `shown` over which its area grows
+};
+
+// Returns the place of a mark among those that may be shown, as a share of its place in the order on the surface.
+// `facing` is |n . v|.
+[[nodiscard]] float flat_place(float facing) noexcept;
+// Returns the own distance of a mark as a share of its own distance where the surface faces the eye.
+[[nodiscard]] float own_distance(float facing) noexcept;
+// Returns the largest facing / flat_place(facing) in a range of |n . v|.
+[[nodiscard]] float most_shown(float least, float most) noexcept;
+
+// Finds the places in the order of the picture. The arrays are kept from frame to frame.
+class EvenOrder {
+public:
+    explicit EvenOrder(base::Memory& memory) noexcept;
+
+    // Makes the dots of the runs that are even in the picture smaller, and removes those that are not shown from the
+    // drawing's ranges and counts. Before, these dots are whole. marks[i] belongs to the dot i.
+    void run(const base::Runtime& runtime, const Scene& scene, std::span<const EvenMark> marks,
+             drawing::Drawing& drawing);
+
+    [[nodiscard]] std::int64_t bytes() const noexcept;
+
+private:
+    // A mark. The marks of a tile stand in their order on the surface.
+    struct Spot {
+        std::uint64_t order; // the place, then the index of the dot
+        float x, y, depth;   // pixels
+        float most;          // the largest distance that matters
+        float reach;         // marks nearer than this make it smaller
+        float wanted;        // the square root of the area of a mark of its tone
+        float facing;
+        float weight; // 0 for marks far outside the window
+        std::uint32_t run, cell;
+    };
+    // An earlier mark that may be too near.
+    struct Claim {
+        std::uint32_t spot; // the index of the earlier mark
+        float pixels;       // the distance of the two marks
+        float weight;
+    };
+    struct Tile {
+        explicit Tile(base::Memory& memory) noexcept : first(memory), claims(memory) {}
+        base::Array<std::uint32_t> first; // for each mark and one more: its first claim
+        base::Array<Claim> claims;
+        bool changed = false;
+    };
+
+    struct Removed {
+        std::int64_t by_tone = 0, outside = 0;
+    };
+
+    void sort(const base::Parallel& parallel, std::span<const EvenMark> marks, const drawing::Drawing& drawing);
+    void fill_tile(std::span<const EvenMark> marks, const drawing::Drawing& drawing, std::int64_t number);
+    void find_claims(std::int64_t number);
+    void add_claims(const Spot& spot, base::Array<Claim>& claims) const;
+    void settle_tile(std::int64_t number);
+    [[nodiscard]] float part_of(const Spot& spot, std::span<const Claim> claims) const noexcept;
+    void shrink(const base::Parallel& parallel, std::span<const EvenMark> marks, drawing::Drawing& drawing) const;
+    void remove_hidden(const base::Parallel& parallel, std::span<const EvenMark> marks, drawing::Drawing& drawing);
+    [[nodiscard]] std::int32_t cell_along(float at, std::int32_t tiles) const noexcept;
+
+    base::Array<std::int64_t> range_;           // the indices of the ranges of dots that are even in the picture
+    base::Array<drawing::IndexRange> in_range_; // these ranges
+    base::Array<Removed> removed_;              // of each of these ranges
+    drawing::Tiles tiles_;
+    std::int32_t cells_ = 1;          // the cells along a side of a tile
+    base::Array<std::int64_t> first_; // for each tile and one more: its first spot
+    base::Array<std::uint64_t> keys_; // the orders of the spots
+    base::Array<Spot> spots_;         // tile by tile
+    base::Array<std::uint32_t>
+        cell_first_;                     // for each cell, tile by tile, and one more: its first element of `in_cell_`
+    base::Array<std::uint32_t> in_cell_; // the indices of the spots of each cell, in their order
+    base::List<Tile> tile_;
+    base::Array<float> distance_, previous_; // of each spot: after this round, and after the round before
+};
+
+} // namespace hrbfnpr::frame
