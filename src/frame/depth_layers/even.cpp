@@ -21,7 +21,10 @@
 namespace hrbfnpr::frame {
 namespace {
 
-// For n . v = k / 10: how far marks keep away from each other, in units of the distance of the densest packing with the
+// Vectors read and write up to this many elements beyond the last.
+constexpr std::int64_t vector_margin = 16;
+
+// For n . v = k / 20: how far marks keep away from each other, in units of the distance of the densest packing with the
 // wanted number of marks. With these distances, the ink is that of marks that ignore each other. Measured
 // (docs/measurements.md).
 constexpr std::array<float, 21> reaches = {0.854F, 0.854F, 0.854F, 0.854F, 0.855F, 0.856F, 0.859F,
@@ -66,8 +69,8 @@ float most_shown(float least, float most) noexcept {
 
 EvenOrder::EvenOrder(base::Memory& memory) noexcept
     : range_(memory), in_range_(memory), removed_(memory), tiles_(memory, drawing::tile_size), first_(memory),
-      keys_(memory), spots_(memory), cell_first_(memory), in_cell_(memory), tile_(memory), distance_(memory),
-      previous_(memory) {}
+      keys_(memory), spots_(memory), cell_first_(memory), in_cell_(memory), cell_x_(memory), cell_y_(memory),
+      cell_place_(memory), tile_(memory), distance_(memory), previous_(memory) {}
 
 // Returns the column or the row of the cell at a place. Places outside the picture belong to the nearest cell.
 std::int32_t EvenOrder::cell_along(float at, std::int32_t tiles) const noexcept {
@@ -112,8 +115,14 @@ void EvenOrder::fill_tile(std::span<const EvenMark> marks, const drawing::Drawin
         ++first[spots_[begin + i].cell];
     }
     std::exclusive_scan(first, first + cells, first, static_cast<std::uint32_t>(begin));
-    for (std::int64_t i = begin; i < begin + count; ++i)
-        in_cell_[first[spots_[i].cell]++] = static_cast<std::uint32_t>(i);
+    for (std::int64_t i = begin; i < begin + count; ++i) {
+        const Spot& spot = spots_[i];
+        const std::int64_t at = first[spot.cell]++;
+        in_cell_[at] = static_cast<std::uint32_t>(i);
+        cell_x_[at] = spot.x;
+        cell_y_[at] = spot.y;
+        cell_place_[at] = std::bit_cast<float>(static_cast<std::uint32_t>(spot.order >> 32U));
+    }
     // Now each element is the end of its cell. Shifting makes it the begin of the next.
     std::copy_backward(first, first + cells - 1, first + cells);
     first[0] = static_cast<std::uint32_t>(begin);
@@ -139,80 +148,109 @@ void EvenOrder::sort(const base::Parallel& parallel, std::span<const EvenMark> m
         first_[i + 1] = first_[i] + count;
     }
     const std::int64_t count = first_[tiles];
-    // A power of two, so that a cell has about one mark.
+    // A power of two, so that a cell has a few marks.
     cells_ = 1;
-    while (cells_ < layer_tuning.most_even_cells && used * (cells_ * cells_) < count) cells_ *= 2;
+    while (cells_ < layer_tuning.most_even_cells && 4 * used * (cells_ * cells_) < count) cells_ *= 2;
     base::resize_scratch(keys_, count);
     base::resize_scratch(spots_, count);
     base::resize_scratch(in_cell_, count);
+    for (base::Array<float>* const row : {&cell_x_, &cell_y_, &cell_place_}) {
+        base::resize_scratch(*row, count + vector_margin);
+        std::fill(row->end() - vector_margin, row->end(), 0.0F);
+    }
     base::resize_scratch(cell_first_, tiles * cells_ * cells_ + 1);
     cell_first_[tiles * cells_ * cells_] = static_cast<std::uint32_t>(count);
     while (tile_.size() < tiles) tile_.add(tile_.memory());
     parallel.for_each(tiles, [&](std::int64_t i) { fill_tile(marks, drawing, i); });
 }
 
-// Adds the claims of the marks before a mark that are on the same sheet of the surface.
-void EvenOrder::add_claims(const Spot& spot, base::Array<Claim>& claims) const {
-    const float reach = std::max(spot.reach, layer_tuning.even_distance * spot.most);
+// Finds the cells within `reach` of a mark, as intervals of consecutive marks. Returns how many marks they have.
+std::int64_t EvenOrder::find_cells(const Spot& spot, float reach, base::Array<MarkInterval>& intervals) const {
+    intervals.clear();
+    std::int64_t marks = 0;
     const std::int32_t left = cell_along(spot.x - reach, tiles_.columns());
     const std::int32_t right = cell_along(spot.x + reach, tiles_.columns());
     const std::int32_t bottom = cell_along(spot.y + reach, tiles_.rows());
     for (std::int32_t row = cell_along(spot.y - reach, tiles_.rows()); row <= bottom; ++row) {
-        for (std::int32_t column = left; column <= right; ++column) {
+        for (std::int32_t column = left; column <= right;) {
+            const std::int32_t last = std::min(right, column | (cells_ - 1)); // of the cells in this tile
             const std::int64_t tile = std::int64_t{row / cells_} * tiles_.columns() + column / cells_;
-            const std::int64_t cell = (tile * cells_ + row % cells_) * cells_ + column % cells_;
-            for (std::uint32_t k = cell_first_[cell]; k < cell_first_[cell + 1]; ++k) {
-                const Spot& other = spots_[in_cell_[k]];
-                if (other.order >= spot.order) break;
-                const float x = other.x - spot.x;
-                const float y = other.y - spot.y;
-                const float pixels = std::sqrt(x * x + y * y);
-                if (other.run != spot.run || pixels >= reach) continue;
-                // On one sheet, depths differ by at most the distance times the slope.
-                const float slope = 1.0F / std::max(std::min(spot.facing, other.facing), scene_tuning.smallest_cosine);
-                const float apart = std::abs(other.depth - spot.depth);
-                const float same = 2.0F - apart / (layer_tuning.same_sheet * (pixels * slope + 1.0F));
-                const float weight = std::min(1.0F, same) * other.weight;
-                if (weight > 0.0F) claims.push_back({in_cell_[k], std::max(pixels, 1e-6F), weight});
-            }
+            const std::uint32_t* const cells = cell_first_.data() + (tile * cells_ + row % cells_) * cells_;
+            const MarkInterval interval = {cells[column % cells_], cells[last % cells_ + 1]};
+            if (interval.begin < interval.end) intervals.push_back(interval);
+            marks += interval.end - interval.begin;
+            column = last + 1;
         }
     }
+    return marks;
 }
 
-void EvenOrder::find_claims(std::int64_t number) {
+// Adds the claim of an earlier mark if both are on the same sheet of the surface.
+void EvenOrder::add_claim(const Spot& spot, std::uint32_t number, base::Array<Claim>& claims) const {
+    const Spot& other = spots_[number];
+    if (other.run != spot.run || other.order >= spot.order) return;
+    const float x = other.x - spot.x;
+    const float y = other.y - spot.y;
+    const float pixels = std::sqrt(x * x + y * y);
+    // On one sheet, depths differ by at most the distance times the slope.
+    const float slope = 1.0F / std::max(std::min(spot.facing, other.facing), scene_tuning.smallest_cosine);
+    const float apart = std::abs(other.depth - spot.depth);
+    const float same = 2.0F - apart / (layer_tuning.same_sheet * (pixels * slope + 1.0F));
+    const float weight = std::min(1.0F, same) * other.weight;
+    if (weight > 0.0F) claims.push_back({number, std::max(pixels, 1e-6F), weight});
+}
+
+void EvenOrder::find_claims(const NearMarks& near, std::int64_t number) {
     Tile& tile = tile_[number];
     tile.first.clear();
     tile.claims.clear();
+    tile.open.clear();
+    const MarksInCells marks = {cell_x_.data(), cell_y_.data(), cell_place_.data()};
     for (std::int64_t i = first_[number]; i < first_[number + 1]; ++i) {
+        const Spot& spot = spots_[i];
         tile.first.push_back(static_cast<std::uint32_t>(tile.claims.size()));
-        add_claims(spots_[i], tile.claims);
-        previous_[i] = spots_[i].most;
+        const float reach = std::max(spot.reach, layer_tuning.even_distance * spot.most);
+        base::resize_scratch(tile.found, find_cells(spot, reach, tile.intervals) + vector_margin);
+        const auto place = std::bit_cast<float>(static_cast<std::uint32_t>(spot.order >> 32U));
+        const std::int64_t found = near.find(marks, tile.intervals.data(), tile.intervals.size(), spot.x, spot.y, reach,
+                                             place, tile.found.data());
+        const std::int64_t before = tile.claims.size();
+        for (std::int64_t k = 0; k < found; ++k) add_claim(spot, in_cell_[tile.found[k]], tile.claims);
+        const bool is_free = tile.claims.size() == before;
+        if (!is_free) tile.open.push_back(static_cast<std::uint32_t>(i));
+        distance_[i] = previous_[i] = is_free ? spot.most : -spot.most;
     }
     tile.first.push_back(static_cast<std::uint32_t>(tile.claims.size()));
 }
 
-// Finds the distances of the marks of a tile from the distances of the marks before them. Those of other tiles are from
-// the round before.
+// Finds the distances of a tile's open marks from the distances of the marks before them. Those of other tiles are from
+// the round before. A distance that may still change is stored with a minus sign. A mark stays open until both arrays
+// have its last distance.
 void EvenOrder::settle_tile(std::int64_t number) {
     Tile& tile = tile_[number];
     const std::int64_t begin = first_[number];
     const std::int64_t end = first_[number + 1];
     constexpr float per_range = 1.0F / (layer_tuning.claim_whole - layer_tuning.claim_begins);
-    tile.changed = false;
-    for (std::int64_t i = begin; i < end; ++i) {
+    std::int64_t open = 0;
+    for (const std::uint32_t i : tile.open) {
         float distance = spots_[i].most;
+        bool is_last = true;
         for (std::uint32_t k = tile.first[i - begin]; k < tile.first[i - begin + 1]; ++k) {
             const Claim& claim = tile.claims[k];
+            const float apart = claim.pixels / layer_tuning.even_distance;
+            if (distance <= apart) continue;
             const bool own = claim.spot >= begin && claim.spot < end;
             const float other = own ? distance_[claim.spot] : previous_[claim.spot];
-            const float apart = claim.pixels / layer_tuning.even_distance;
-            const float part = (other / apart - layer_tuning.claim_begins) * per_range;
-            const float weight = std::min(part, 1.0F) * claim.weight;
-            if (weight > 0.0F) distance = std::min(distance, kept_distance(apart, weight));
+            is_last = is_last && other > 0.0F;
+            if (std::abs(other) <= layer_tuning.claim_begins * apart) continue;
+            const float part = (std::abs(other) / apart - layer_tuning.claim_begins) * per_range;
+            distance = std::min(distance, kept_distance(apart, std::min(part, 1.0F) * claim.weight));
         }
-        distance_[i] = distance;
-        tile.changed = tile.changed || distance != previous_[i];
+        const bool was_last = previous_[i] > 0.0F;
+        distance_[i] = is_last ? distance : -distance;
+        if (!is_last || !was_last) tile.open[open++] = i;
     }
+    tile.open.resize(open);
 }
 
 // Returns the part of its area that a mark keeps beside the marks before it.
@@ -288,10 +326,12 @@ void EvenOrder::run(const base::Runtime& runtime, const Scene& scene, std::span<
     sort(parallel, marks, drawing);
     base::resize_scratch(distance_, spots_.size());
     base::resize_scratch(previous_, spots_.size());
-    parallel.for_each(tiles_.tiles(), [&](std::int64_t i) { find_claims(i); });
-    for (bool changed = true; changed; std::swap(distance_, previous_)) {
+    const NearMarks near = near_marks(runtime.instruction_set);
+    parallel.for_each(tiles_.tiles(), [&](std::int64_t i) { find_claims(near, i); });
+    const auto is_open = [](const Tile& tile) { return !tile.open.empty(); };
+    while (std::any_of(tile_.begin(), tile_.begin() + tiles_.tiles(), is_open)) {
         parallel.for_each(tiles_.tiles(), [&](std::int64_t i) { settle_tile(i); });
-        changed = std::any_of(tile_.begin(), tile_.begin() + tiles_.tiles(), [](const Tile& t) { return t.changed; });
+        std::swap(distance_, previous_);
     }
     shrink(parallel, marks, drawing);
     remove_hidden(parallel, marks, drawing);
@@ -299,10 +339,12 @@ void EvenOrder::run(const base::Runtime& runtime, const Scene& scene, std::span<
 
 std::int64_t EvenOrder::bytes() const noexcept {
     std::int64_t claims = 0;
-    for (const Tile& tile : tile_) claims += tile.first.bytes() + tile.claims.bytes();
+    for (const Tile& tile : tile_)
+        claims +=
+            tile.first.bytes() + tile.claims.bytes() + tile.open.bytes() + tile.intervals.bytes() + tile.found.bytes();
     return range_.bytes() + in_range_.bytes() + removed_.bytes() + tiles_.bytes() + first_.bytes() + keys_.bytes() +
-           spots_.bytes() + cell_first_.bytes() + in_cell_.bytes() + tile_.bytes() + claims + distance_.bytes() +
-           previous_.bytes();
+           spots_.bytes() + cell_first_.bytes() + in_cell_.bytes() + cell_x_.bytes() + cell_y_.bytes() +
+           cell_place_.bytes() + tile_.bytes() + claims + distance_.bytes() + previous_.bytes();
 }
 
 } // namespace hrbfnpr::frame

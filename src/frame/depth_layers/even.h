@@ -13,6 +13,7 @@
 #include "base/list.h"
 #include "base/runtime.h"
 #include "drawing/drawing.h"
+#include "frame/depth_layers/near_marks.h"
 #include "frame/scene/scene.h"
 
 #include <span>
@@ -70,10 +71,14 @@ private:
         float weight;
     };
     struct Tile {
-        explicit Tile(base::Memory& memory) noexcept : first(memory), claims(memory) {}
+        explicit Tile(base::Memory& memory) noexcept
+            : first(memory), claims(memory), open(memory), intervals(memory), found(memory) {}
         base::Array<std::uint32_t> first; // for each mark and one more: its first claim
         base::Array<Claim> claims;
-        bool changed = false;
+        base::Array<std::uint32_t> open; // the marks whose distances are not final
+        // Working memory.
+        base::Array<MarkInterval> intervals;
+        base::Array<std::uint32_t> found;
     };
 
     struct Removed {
@@ -82,8 +87,9 @@ private:
 
     void sort(const base::Parallel& parallel, std::span<const EvenMark> marks, const drawing::Drawing& drawing);
     void fill_tile(std::span<const EvenMark> marks, const drawing::Drawing& drawing, std::int64_t number);
-    void find_claims(std::int64_t number);
-    void add_claims(const Spot& spot, base::Array<Claim>& claims) const;
+    [[nodiscard]] std::int64_t find_cells(const Spot& spot, float reach, base::Array<MarkInterval>& intervals) const;
+    void add_claim(const Spot& spot, std::uint32_t number, base::Array<Claim>& claims) const;
+    void find_claims(const NearMarks& near, std::int64_t number);
     void settle_tile(std::int64_t number);
     [[nodiscard]] float part_of(const Spot& spot, std::span<const Claim> claims) const noexcept;
     void shrink(const base::Parallel& parallel, std::span<const EvenMark> marks, drawing::Drawing& drawing) const;
@@ -101,6 +107,7 @@ private:
     base::Array<std::uint32_t>
         cell_first_;                     // for each cell, tile by tile, and one more: its first element of `in_cell_`
     base::Array<std::uint32_t> in_cell_; // the indices of the spots of each cell, in their order
+    base::Array<float> cell_x_, cell_y_, cell_place_; // of each element of `in_cell_`
     base::List<Tile> tile_;
     base::Array<float> distance_, previous_; // of each spot: after this round, and after the round before
 };
