@@ -27,9 +27,9 @@ constexpr std::int64_t vector_margin = 16;
 // For n . v = k / 20: how far marks keep away from each other, in units of the distance of the densest packing with the
 // wanted number of marks. With these distances, the ink is that of marks that ignore each other. Measured
 // (docs/measurements.md).
-constexpr std::array<float, 21> reaches = {0.854F, 0.854F, 0.854F, 0.854F, 0.855F, 0.856F, 0.859F,
-                                           0.863F, 0.867F, 0.874F, 0.880F, 0.887F, 0.895F, 0.902F,
-                                           0.909F, 0.914F, 0.916F, 0.917F, 0.914F, 0.889F, 0.700F};
+constexpr std::array<float, 21> reaches = {0.855F, 0.855F, 0.855F, 0.856F, 0.858F, 0.858F, 0.862F,
+                                           0.865F, 0.870F, 0.877F, 0.883F, 0.891F, 0.899F, 0.906F,
+                                           0.913F, 0.919F, 0.922F, 0.924F, 0.921F, 0.899F, 0.700F};
 // The distance of the densest packing, in units of the square root of the area of a mark.
 constexpr float packed = 1.0745699F;
 
@@ -37,11 +37,6 @@ constexpr float packed = 1.0745699F;
     const float at = facing * static_cast<float>(reaches.size() - 1);
     const auto cell = static_cast<std::size_t>(std::min(at, static_cast<float>(reaches.size() - 2)));
     return reaches[cell] + (reaches[cell + 1] - reaches[cell]) * (at - static_cast<float>(cell));
-}
-
-// Returns how many times as many marks may be shown as the tone wants, because others will be left out.
-[[nodiscard]] float surplus(float facing) noexcept {
-    return 1.0F + std::min(1.0F, (1.0F - facing) / layer_tuning.even_turn);
 }
 
 // Returns the part of a mark's area that is drawn at a place in the order of the picture, as select() does.
@@ -58,14 +53,6 @@ constexpr float packed = 1.0745699F;
 }
 
 } // namespace
-
-float own_distance(float facing) noexcept { return std::sqrt(std::sqrt(facing) * surplus(facing)); }
-float flat_place(float facing) noexcept { return std::sqrt(facing) / surplus(facing); }
-
-float most_shown(float least, float most) noexcept {
-    const float facing = std::clamp(1.0F - layer_tuning.even_turn, least, most);
-    return facing / flat_place(facing);
-}
 
 EvenOrder::EvenOrder(base::Memory& memory) noexcept
     : range_(memory), in_range_(memory), removed_(memory), tiles_(memory, drawing::tile_size), first_(memory),

@@ -14,6 +14,7 @@
 #include "base/runtime.h"
 #include "drawing/drawing.h"
 #include "frame/depth_layers/near_marks.h"
+#include "frame/scene/even_places.h"
 #include "frame/scene/scene.h"
 
 #include <span>
@@ -31,14 +32,6 @@ struct EvenMark {
     float outside; // the distance of its centre from the window, in pixels
     float fade;    // the share of `shown` over which its area grows
 };
-
-// Returns the place of a mark among those that may be shown, as a share of its place in the order on the surface.
-// `facing` is |n . v|.
-[[nodiscard]] float flat_place(float facing) noexcept;
-// Returns the own distance of a mark as a share of its own distance where the surface faces the eye.
-[[nodiscard]] float own_distance(float facing) noexcept;
-// Returns the largest facing / flat_place(facing) in a range of |n . v|.
-[[nodiscard]] float most_shown(float least, float most) noexcept;
 
 // Finds the places in the order of the picture. The arrays are kept from frame to frame.
 class EvenOrder {

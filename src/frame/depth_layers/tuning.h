@@ -13,9 +13,6 @@ struct LayerTuning {
 
     // ---- Stipples that are even in the picture. Distances are in units of the square root of the area of a mark.
 
-    // Where |n . v| is this much below 1, twice as many marks as wanted may be shown, and then smaller marks fill gaps.
-    // Larger: fewer small marks, and rows where the surface turns away.
-    float even_turn = 0.4F;
     // Marks get smaller over this part of the distance below which they are too near. Larger: more small marks, and
     // tones with less grain.
     float even_soft = 0.6F;
@@ -38,7 +35,7 @@ struct LayerTuning {
     float claim_end = 0.2F;
     // Distances are exact up to this many times the distance that a tone wants. Larger: more time, and fewer errors
     // where the tone changes fast.
-    float even_most = 1.6F;
+    float even_most = 1.25F;
     // Two marks are on one sheet of a surface if their depths differ by at most this many times the most that the slope
     // there allows, plus a pixel. Larger: hidden marks keep away more of the marks in front of them.
     float same_sheet = 1.5F;
