@@ -91,11 +91,13 @@ void EvenOrder::fill_tile(std::span<const EvenMark> marks, const drawing::Drawin
         spots_[begin + i] = {keys[i],
                              x,
                              y,
-                             dot.depth * dot.pixels_per_unit,
+                             dot.depth,
+                             dot.pixels_per_unit,
                              std::min(mark.own, layer_tuning.even_most * mark.wanted),
                              reach_at(mark.facing) * packed * mark.wanted,
                              mark.wanted,
-                             mark.facing,
+                             mark.normal,
+                             mark.slope,
                              std::clamp(inside, 0.0F, 1.0F),
                              dot.layer,
                              static_cast<std::uint32_t>(row * cells_ + column)};
@@ -172,18 +174,27 @@ std::int64_t EvenOrder::find_cells(const Spot& spot, float reach, base::Array<Ma
     return marks;
 }
 
+// Returns 1 for two marks on one sheet of the surface, and 0 for marks on different sheets.
+float EvenOrder::same_sheet(const Spot& a, const Spot& b) noexcept {
+    const glm::vec2 apart(b.x - a.x, b.y - a.y);
+    const auto along = [](const glm::vec2& n) { return std::sqrt(std::max(0.0F, 1.0F - glm::dot(n, n))); };
+    const float turn = glm::dot(a.normal, b.normal) + along(a.normal) * along(b.normal);
+    // The depth of a curved sheet changes by the mean slope, up to a part of the change of the slope.
+    const float depth = (b.depth - a.depth) * a.pixels_per_unit - 0.5F * glm::dot(a.slope + b.slope, apart);
+    const glm::vec2 change = b.slope - a.slope;
+    const float bend = std::sqrt(glm::dot(change, change) * glm::dot(apart, apart));
+    const float most = layer_tuning.sheet_bend * bend + layer_tuning.sheet_gap;
+    return std::clamp(std::min(2.0F - std::abs(depth) / most, (turn - 0.5F) * 4.0F), 0.0F, 1.0F);
+}
+
 // Adds the claim of an earlier mark if both are on the same sheet of the surface.
 void EvenOrder::add_claim(const Spot& spot, std::uint32_t number, base::Array<Claim>& claims) const {
     const Spot& other = spots_[number];
     if (other.run != spot.run || other.order >= spot.order) return;
+    const float weight = other.weight * same_sheet(spot, other);
     const float x = other.x - spot.x;
     const float y = other.y - spot.y;
     const float pixels = std::sqrt(x * x + y * y);
-    // On one sheet, depths differ by at most the distance times the slope.
-    const float slope = 1.0F / std::max(std::min(spot.facing, other.facing), scene_tuning.smallest_cosine);
-    const float apart = std::abs(other.depth - spot.depth);
-    const float same = 2.0F - apart / (layer_tuning.same_sheet * (pixels * slope + 1.0F));
-    const float weight = std::min(1.0F, same) * other.weight;
     if (weight > 0.0F) claims.push_back({number, std::max(pixels, 1e-6F), weight});
 }
 

@@ -23,14 +23,16 @@ namespace hrbfnpr::frame {
 
 // A mark that its tone may show. It has the index of its dot.
 struct EvenMark {
-    float place;   // in the order on the surface: 1 - rank
-    float own;     // the distance in pixels that this place stands for
-    float wanted;  // the distance in pixels that the tone wants
-    float flat;    // its place among the marks that may be shown
-    float shown;   // it may be shown up to this place
-    float facing;  // |n . v|
-    float outside; // the distance of its centre from the window, in pixels
-    float fade;    // the share of `shown` over which its area grows
+    float place;      // in the order on the surface: 1 - rank
+    float own;        // the distance in pixels that this place stands for
+    float wanted;     // the distance in pixels that the tone wants
+    float flat;       // its place among the marks that may be shown
+    float shown;      // it may be shown up to this place
+    float facing;     // |n . v|
+    glm::vec2 normal; // x and y of the unit normal in eye space
+    glm::vec2 slope;  // the change of depth per pixel to the right and down, both in pixels
+    float outside;    // the distance of its centre from the window, in pixels
+    float fade;       // the share of `shown` over which its area grows
 };
 
 // Finds the places in the order of the picture. The arrays are kept from frame to frame.
@@ -49,11 +51,12 @@ private:
     // A mark. The marks of a tile stand in their order on the surface.
     struct Spot {
         std::uint64_t order; // the place, then the index of the dot
-        float x, y, depth;   // pixels
-        float most;          // the largest distance that matters
-        float reach;         // marks nearer than this make it smaller
-        float wanted;        // the square root of the area of a mark of its tone
-        float facing;
+        float x, y;          // pixels
+        float depth, pixels_per_unit;
+        float most;   // the largest distance that matters
+        float reach;  // marks nearer than this make it smaller
+        float wanted; // the square root of the area of a mark of its tone
+        glm::vec2 normal, slope;
         float weight; // 0 for marks far outside the window
         std::uint32_t run, cell;
     };
@@ -81,6 +84,7 @@ private:
     void sort(const base::Parallel& parallel, std::span<const EvenMark> marks, const drawing::Drawing& drawing);
     void fill_tile(std::span<const EvenMark> marks, const drawing::Drawing& drawing, std::int64_t number);
     [[nodiscard]] std::int64_t find_cells(const Spot& spot, float reach, base::Array<MarkInterval>& intervals) const;
+    [[nodiscard]] static float same_sheet(const Spot& a, const Spot& b) noexcept;
     void add_claim(const Spot& spot, std::uint32_t number, base::Array<Claim>& claims) const;
     void find_claims(const NearMarks& near, std::int64_t number);
     void settle_tile(std::int64_t number);

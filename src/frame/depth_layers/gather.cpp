@@ -424,19 +424,25 @@ void add_splats(const RunView& v, const VisibleCluster& visible, const Projected
     return scratch;
 }
 
-[[nodiscard]] EvenMark even_mark(const RunView& v, const glm::vec2& at, float facing, float pixels_per_unit, float flat,
-                                 float limit, float place) noexcept {
+[[nodiscard]] EvenMark even_mark(const RunView& v, const ProjectedMarks& projected, const Selected& selected,
+                                 std::int64_t i, float place) noexcept {
     const glm::vec4& window = v.scene.lens.viewport;
     const glm::vec2 corner(window);
+    const glm::vec2 at(projected.x[i], projected.y[i]);
     const glm::vec2 beyond = glm::max(corner - at, at - corner - glm::vec2(window.z, window.w));
-    facing = std::min(facing, 1.0F);
-    const float spacing = v.run.discs.spacing * pixels_per_unit;
+    const float facing = std::min(std::abs(projected.nu[i]), 1.0F);
+    const float spacing = v.run.discs.spacing * projected.pixels_per_unit[i];
+    const float limit = selected.limit[i] * (1.0F - 0.5F * v.item.style.tone_fade);
+    const glm::vec2 normal(projected.side_x[i], projected.side_y[i]);
+    const float turn = -projected.along[i] / std::min(projected.nu[i], -scene_tuning.smallest_cosine);
     return {place,
             spacing * own_distance(facing) / std::sqrt(std::max(place, 1e-9F)),
-            spacing * std::sqrt(facing / std::max(limit * (1.0F - 0.5F * v.item.style.tone_fade), 1e-9F)),
-            flat,
-            limit,
+            spacing * std::sqrt(facing / std::max(limit, 1e-9F)),
+            selected.flat[i],
+            selected.limit[i],
             facing,
+            normal,
+            turn * glm::vec2(normal.x, -normal.y),
             std::max({beyond.x, beyond.y, 0.0F}),
             v.item.style.tone_fade};
 }
@@ -482,8 +488,7 @@ void add_dots(const RunView& v, const VisibleCluster& visible, const Selection& 
             const auto flags = static_cast<std::uint8_t>((faces_back ? dot_faces_back : 0) |
                                                          (v.item.model != nullptr ? dot_is_exact : 0));
             if (out.even != nullptr)
-                *out.even++ = even_mark(v, {projected.x[i], projected.y[i]}, std::abs(projected.nu[i]),
-                                        projected.pixels_per_unit[i], selected.flat[i], selected.limit[i],
+                *out.even++ = even_mark(v, projected, selected, i,
                                         1.0F - visible.blocks[i / MarkBlock::size].rank[i % MarkBlock::size]);
             *out.dot++ = {projected.x[i],
                           projected.y[i],

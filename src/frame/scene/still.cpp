@@ -174,7 +174,7 @@ float StillNeed::share_of_ink(const marks::Extent& extent, const ClusterView& at
         const float least = turns ? 0.0F : std::min(std::abs(at.nu_min), std::abs(at.nu_max));
         const float most = std::max(-at.nu_min, view_.item.both_sides ? at.nu_max : 0.0F);
         const float facing = most_shown(std::min(least, 1.0F), std::clamp(most, least, 1.0F));
-        shown = std::min(1.0F, ink_for(darkness, Overlap::blue_noise, 0.0F) * facing / std::max(full, darkest));
+        shown = ink_for(darkness, Overlap::blue_noise, 0.0F) * facing / std::max(full, darkest);
     }
     // Marks that fade in are small, so more of them are shown.
     return scene_tuning.still_surplus * layer_.style->share * shown / (1.0F - 0.5F * style.tone_fade);
