@@ -2057,6 +2057,19 @@ enum {
     HRBFNPR_TONE_CURVE_LINEAR = 1 /* the share of marks that is shown is 1 - tau [NPAR 6.2] */
 };
 
+/* Where stipples are evenly spread, with TONE_RULE_SHARE, TONE_CURVE_COVERAGE and DEPTH_LAYERS.  It has an effect on
+ * stipples of DISTRIBUTION_BLUE_NOISE. */
+enum {
+    /* In the picture.  Where the surface turns away, marks that are even on it would form rows.  So up to twice as many
+     * marks are considered there, in their order, and each gets smaller as far as an earlier one is too near in the
+     * picture.  Marks keep their places on the surface, change smoothly as the camera moves, and never get smaller by a
+     * zoom in.  docs/how-marks-work.md */
+    HRBFNPR_EVENNESS_PICTURE = 0,
+    /* On the surface: the first marks of the order are shown.  For drawings that show the same marks by other means,
+     * such as the prefixes of a vertex buffer. */
+    HRBFNPR_EVENNESS_SURFACE = 1
+};
+
 /* What the tone tau of a front mark comes from: 1 = light, 0 = dark. */
 enum {
     HRBFNPR_TONE_NONE = 0,    /* tau = 0: all front marks are shown */
@@ -2405,6 +2418,7 @@ typedef struct hrbfnpr_style {
     const float* palette;        /* inks for ink_field, palette_count x 4, straight RGBA in [0, 1], sRGB-encoded;
                                     default NULL.  It is read during _draw only */
     int64_t palette_count;       /* number of inks; 0 .. 8; default 0.  An ink_field needs at least one */
+    uint32_t evenness;           /* where stipples are evenly spread, HRBFNPR_EVENNESS_...; default PICTURE */
 } hrbfnpr_style;
 
 /* Sets struct_size and all defaults. */

@@ -298,6 +298,7 @@ hrbfnpr_status hrbfnpr_camera_fit_bounds(hrbfnpr_camera* camera, const double* b
 enum { HRBFNPR_HIDDEN_LINES_ATTENUATE = 0, HRBFNPR_HIDDEN_LINES_HIDE = 1, HRBFNPR_HIDDEN_LINES_SHOW = 2 };
 enum { HRBFNPR_VISIBILITY_DEPTH_LAYERS = 0, HRBFNPR_VISIBILITY_PUBLISHED = 1 };
 enum { HRBFNPR_TONE_CURVE_COVERAGE = 0, HRBFNPR_TONE_CURVE_LINEAR = 1 };
+enum { HRBFNPR_EVENNESS_PICTURE = 0, HRBFNPR_EVENNESS_SURFACE = 1 };
 enum { HRBFNPR_TONE_NONE = 0, HRBFNPR_TONE_LIGHT = 1, HRBFNPR_TONE_CALLBACK = 2 };
 enum { HRBFNPR_TONE_RULE_SHARE = 0, HRBFNPR_TONE_RULE_PUBLISHED = 1 };
 enum { HRBFNPR_LIGHT_WORLD = 0, HRBFNPR_LIGHT_CAMERA = 1, HRBFNPR_LIGHT_ITEM = 2 };
@@ -337,7 +338,7 @@ typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[
     const hrbfnpr_light* lights; int64_t light_count; int64_t light_stride; double ambient_up[3]; float ambient_sky;
     float ambient_ground; float occlusion; float occlusion_exponent; float rim_light; float rim_exponent;
     float tone_black; float tone_white; float tone_gamma; uint32_t tone_steps; float curvature_contrast;
-    float occlusion_lights; const float* palette; int64_t palette_count; } hrbfnpr_style;
+    float occlusion_lights; const float* palette; int64_t palette_count; uint32_t evenness; } hrbfnpr_style;
 hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
 enum { HRBFNPR_PRESET_STIPPLE = 0, HRBFNPR_PRESET_HATCH = 1, HRBFNPR_PRESET_CROSS_HATCH = 2, HRBFNPR_PRESET_COMBING = 3,
     HRBFNPR_PRESET_SILHOUETTE = 4, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, HRBFNPR_PRESET_XRAY = 6,

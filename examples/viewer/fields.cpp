@@ -28,6 +28,7 @@ const std::map<std::string, std::vector<Choice>>& choices() {
          {{"tone", 0, {"none", "light"}},
           {"tone_rule", 0, {"share", "published"}},
           {"tone_curve", 0, {"coverage", "linear"}},
+          {"evenness", 0, {"picture", "surface"}},
           {"light_space", 0, {"world", "camera"}},
           {"visibility", 0, {"depth_layers", "published"}},
           {"hidden_lines", 0, {"attenuate", "hide", "show"}}}},

@@ -296,7 +296,7 @@ inline constexpr FieldLayout fields_of_hrbfnpr_style[] = {
     FIELD(occlusion_exponent, "float"), FIELD(rim_light, "float"), FIELD(rim_exponent, "float"),
     FIELD(tone_black, "float"), FIELD(tone_white, "float"), FIELD(tone_gamma, "float"), FIELD(tone_steps, "uint32_t"),
     FIELD(curvature_contrast, "float"), FIELD(occlusion_lights, "float"), FIELD(palette, "const float*"),
-    FIELD(palette_count, "int64_t")};
+    FIELD(palette_count, "int64_t"), FIELD(evenness, "uint32_t")};
 #undef RECORD
 #define RECORD hrbfnpr_dab
 inline constexpr FieldLayout fields_of_hrbfnpr_dab[] = {

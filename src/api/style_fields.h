@@ -155,7 +155,9 @@ static_assert(layer_style_fields().covers<hrbfnpr_layer_style>());
         field("curvature_contrast", &Given::curvature_contrast, &To::curvature_contrast, strength),
         field("occlusion_lights", &Given::occlusion_lights, &To::occlusion_lights, share),
         field("palette", &Given::palette, rule::Any{}),
-        field("palette_count", &Given::palette_count, rule::Any{})};
+        field("palette_count", &Given::palette_count, rule::Any{}),
+        field("evenness", &Given::evenness, &To::evenness,
+              rule::OneOf{HRBFNPR_EVENNESS_SURFACE, "HRBFNPR_EVENNESS_*"})};
 }
 static_assert(style_fields().covers<hrbfnpr_style>());
 

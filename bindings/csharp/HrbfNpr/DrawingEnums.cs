@@ -112,6 +112,21 @@ namespace HrbfNpr
         Linear = 1,
     }
 
+    /// <summary>
+    /// Where stipples are evenly spread, with <see cref="ToneRule.Share"/>, <see cref="ToneCurve.Coverage"/> and
+    /// <see cref="Visibility.DepthLayers"/>.
+    /// </summary>
+    public enum Evenness
+    {
+        /// <summary>
+        /// In the picture (default). Where the surface turns away, marks get smaller as far as an earlier mark is too
+        /// near in the picture. They change smoothly as the camera moves.
+        /// </summary>
+        Picture = 0,
+        /// <summary>On the surface: the first marks of the order are shown.</summary>
+        Surface = 1,
+    }
+
     /// <summary>The source of the tone tau of front marks: 1 = light, 0 = dark.</summary>
     [NativeConstants("HRBFNPR_TONE_")]
     public enum Tone

@@ -192,6 +192,9 @@ namespace HrbfNpr
         /// <summary>How many marks a tone shows, with <see cref="HrbfNpr.ToneRule.Share"/>; default Coverage.</summary>
         public ToneCurve ToneCurve { get; set; }
 
+        /// <summary>Where stipples are evenly spread; default Picture.</summary>
+        public Evenness Evenness { get; set; }
+
         /// <summary>
         /// Share of the shown marks over which a mark grows from nothing to its full area; 0 to 1; default 0.25; 0 =
         /// marks pop in.
@@ -418,6 +421,7 @@ namespace HrbfNpr
             style->tone = (uint)Tone;
             style->tone_rule = (uint)ToneRule;
             style->tone_curve = (uint)ToneCurve;
+            style->evenness = (uint)Evenness;
             style->tone_fade = ToneFade;
             style->tone_exponent = ToneExponent;
             style->fill_light = FillLight;
@@ -462,6 +466,7 @@ namespace HrbfNpr
             Tone = (Tone)style->tone;
             ToneRule = (ToneRule)style->tone_rule;
             ToneCurve = (ToneCurve)style->tone_curve;
+            Evenness = (Evenness)style->evenness;
             ToneFade = style->tone_fade;
             ToneExponent = style->tone_exponent;
             FillLight = style->fill_light;

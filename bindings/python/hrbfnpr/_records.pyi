@@ -1321,6 +1321,7 @@ class StyleFields(Attributes):
     tone_steps: Field[int, int]
     curvature_contrast: Field[float, float]
     occlusion_lights: Field[float, float]
+    evenness: Field[str, str]
 
 class LightFields(Attributes):
     kind: Field[str, str]

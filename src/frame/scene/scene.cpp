@@ -199,7 +199,7 @@ Run run_of(const Item& item, const marks::Layer& layer, bool splats, bool any_su
     run.directions = run.is_scattered() ? 3U : own.directions;
     run.draws_front = own.shown && own.share > 0.0F && run.directions != 0;
     if (!published && !run.is_scattered() && run.draws_front) run.shape = own.shape;
-    run.even_in_picture = run.is_even() && run.is_scattered() && !published &&
+    run.even_in_picture = run.is_even() && run.is_scattered() && !published && style.evenness == Evenness::picture &&
                           style.tone_rule == ToneRule::share && style.tone_curve == ToneCurve::coverage;
     run.makes_tone = is_surface(layer) || !any_surface;
     run.splats = style.hidden_lines != HiddenLines::show && splats;

@@ -54,6 +54,7 @@ base::Array<double> still_key(base::Memory& memory, const Still& still) {
     add(style.occlusion);
     add(style.occlusion_exponent);
     add(style.occlusion_lights);
+    add(static_cast<double>(style.evenness));
     add(style.rim_light);
     add(style.rim_exponent);
     add(style.tone_black);
@@ -173,7 +174,8 @@ float StillNeed::share_of_ink(const marks::Extent& extent, const ClusterView& at
         const bool turns = at.nu_min < 0.0F && at.nu_max > 0.0F;
         const float least = turns ? 0.0F : std::min(std::abs(at.nu_min), std::abs(at.nu_max));
         const float most = std::max(-at.nu_min, view_.item.both_sides ? at.nu_max : 0.0F);
-        const float facing = most_shown(std::min(least, 1.0F), std::clamp(most, least, 1.0F));
+        const bool in_picture = style.evenness == Evenness::picture;
+        const float facing = in_picture ? most_shown(std::min(least, 1.0F), std::clamp(most, least, 1.0F)) : most;
         shown = ink_for(darkness, Overlap::blue_noise, 0.0F) * facing / std::max(full, darkest);
     }
     // Marks that fade in are small, so more of them are shown.

@@ -26,6 +26,8 @@ using ToneFn = std::int32_t (*)(void* user, std::int64_t count, const float* pos
 
 enum class Shape : std::uint32_t { dots = 0, strokes = 1, hatch = 2 };
 
+enum class Evenness : std::uint32_t { picture = 0, surface = 1 };
+
 enum class FieldRule : std::uint32_t { replace = 0, scale = 1 };
 enum class PaletteRule : std::uint32_t { nearest = 0, mixed = 1 };
 
@@ -127,6 +129,7 @@ struct Style {
     ToneRule tone_rule = ToneRule::share;
     LightSpace light_space = LightSpace::camera;
     ToneCurve tone_curve = ToneCurve::coverage;
+    Evenness evenness = Evenness::picture;
     float tone_fade = 0.25F;
     glm::dvec3 light{-0.4, 0.6, 0.7};
     double tone_exponent = 1.0;

@@ -158,6 +158,7 @@ namespace HrbfNpr
         internal float occlusion_lights;
         internal IntPtr palette;
         internal long palette_count;
+        internal uint evenness;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_dab")]

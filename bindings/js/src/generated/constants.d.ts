@@ -701,6 +701,30 @@ export declare const TONE_CURVE: {
 /** The constants of TONE_CURVE, as options spell them. */
 export type ToneCurveName = "coverage" | "linear";
 
+/**
+ * Where stipples are evenly spread, with TONE_RULE_SHARE, TONE_CURVE_COVERAGE and DEPTH_LAYERS.  It has an
+ * effect on
+ * stipples of DISTRIBUTION_BLUE_NOISE.
+ */
+export declare const EVENNESS: {
+  /**
+   * In the picture.  Where the surface turns away, marks that are even on it would form rows.  So up to twice as
+   * many
+   * marks are considered there, in their order, and each gets smaller as far as an earlier one is too near in the
+   * picture.  Marks keep their places on the surface, change smoothly as the camera moves, and never get smaller
+   * by a
+   * zoom in.  docs/how-marks-work.md
+   */
+  readonly PICTURE: 0;
+  /**
+   * On the surface: the first marks of the order are shown.  For drawings that show the same marks by other means,
+   * such as the prefixes of a vertex buffer.
+   */
+  readonly SURFACE: 1;
+};
+/** The constants of EVENNESS, as options spell them. */
+export type EvennessName = "picture" | "surface";
+
 /** What the tone tau of a front mark comes from: 1 = light, 0 = dark. */
 export declare const TONE: {
   /** tau = 0: all front marks are shown */

@@ -442,7 +442,7 @@ export const STRUCTS = {
     wobbleSeed: ["u32", 152],
     creases: ["u32", 156, 0, "CREASES"],
   } },
-  hrbfnpr_style: { size: 368, sized: true, fields: {
+  hrbfnpr_style: { size: 376, sized: true, fields: {
     tone: ["u32", 4, 0, "TONE"],
     paper: ["f32", 8, 4],
     layers: ["list", 24, "hrbfnpr_layer_style", 32, 40],
@@ -488,6 +488,7 @@ export const STRUCTS = {
     curvatureContrast: ["f32", 344],
     occlusionLights: ["f32", 348],
     palette: ["colours", 352, 360],
+    evenness: ["u32", 368, 0, "EVENNESS"],
   } },
   hrbfnpr_dab: { size: 104, sized: true, fields: {
     map: ["u32", 4, 0, "DAB"],
@@ -1084,7 +1085,7 @@ export const OFFSETS = {
     light_softness: 248, reserved3: 252, lights: 256, light_count: 264, light_stride: 272, ambient_up: 280,
     ambient_sky: 304, ambient_ground: 308, occlusion: 312, occlusion_exponent: 316, rim_light: 320, rim_exponent: 324,
     tone_black: 328, tone_white: 332, tone_gamma: 336, tone_steps: 340, curvature_contrast: 344, occlusion_lights:
-    348, palette: 352, palette_count: 360},
+    348, palette: 352, palette_count: 360, evenness: 368},
   hrbfnpr_dab: {struct_size: 0, map: 4, position: 8, normal: 32, radius: 56, strength: 64, value: 72, direction: 80},
   hrbfnpr_field_desc: {struct_size: 0, kind: 4, source: 8, flags: 12, range: 16, points: 32, triangles: 64, values:
     96, reach: 128, function: 136, user: 140, dabs: 144, dab_count: 152, dab_stride: 160, image: 168, camera: 172,

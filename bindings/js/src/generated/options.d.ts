@@ -2,9 +2,9 @@
 // Made by bindings/generate from bindings/api.json; do not edit.
 
 import type { CapName, ClassName, CreasesName, CsgName, DabName, DensityName, DepthName, DistributionName,
-  DotShapeName, EdgesName, FacesName, FieldKindName, FieldRuleName, FieldSourceName, FormatName, HatchGuideName,
-  HiddenLinesName, HiddenPartsName, InstructionSetName, KernelName, LayerKindName, LightKindName, LightName,
-  LineKindName, LineTypeName, LogName, NormalsLookName, NormalsName, NoteName, OutwardName, PageFormatName,
+  DotShapeName, EdgesName, EvennessName, FacesName, FieldKindName, FieldRuleName, FieldSourceName, FormatName,
+  HatchGuideName, HiddenLinesName, HiddenPartsName, InstructionSetName, KernelName, LayerKindName, LightKindName,
+  LightName, LineKindName, LineTypeName, LogName, NormalsLookName, NormalsName, NoteName, OutwardName, PageFormatName,
   PaletteName, PartsName, PictureEdgesName, PictureGroundName, PictureSidesName, PresetName, PrimitiveName,
   ProfileName, RegularizationName, RepairName, ScalarName, SeedName, SeverityName, ShapeName, SidesName, SolverName,
   SolverReasonName, SourceKindName, StageName, StrokeStartName, ThreadBackendName, ToneCurveName, ToneName,
@@ -1474,6 +1474,8 @@ export interface Style {
    * _draw only
    */
   palette?: readonly Numbers[];
+  /** where stipples are evenly spread, HRBFNPR_EVENNESS_...; default PICTURE */
+  evenness?: EvennessName | number;
 }
 
 /**

@@ -794,7 +794,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_style>() == either(376, 368, 352));
+    assert!(size_of::<hrbfnpr_style>() == either(384, 376, 356));
     assert!(align_of::<hrbfnpr_style>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -857,6 +857,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_style, occlusion_lights) == either(356, 348, 336));
     assert!(offset_of!(hrbfnpr_style, palette) == either(360, 352, 340));
     assert!(offset_of!(hrbfnpr_style, palette_count) == either(368, 360, 344));
+    assert!(offset_of!(hrbfnpr_style, evenness) == either(376, 368, 352));
 };
 
 const _: () = {

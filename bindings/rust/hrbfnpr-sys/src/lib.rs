@@ -2977,6 +2977,22 @@ pub const HRBFNPR_TONE_CURVE_COVERAGE: u32 = 0;
 /// the share of marks that is shown is 1 - tau [NPAR 6.2]
 pub const HRBFNPR_TONE_CURVE_LINEAR: u32 = 1;
 
+// Where stipples are evenly spread, with TONE_RULE_SHARE, TONE_CURVE_COVERAGE and
+// DEPTH_LAYERS.  It has an effect on
+// stipples of DISTRIBUTION_BLUE_NOISE.
+/// In the picture.  Where the surface turns away, marks that are even on it would form rows.
+/// So up to twice as many
+/// marks are considered there, in their order, and each gets smaller as far as an earlier one
+/// is too near in the
+/// picture.  Marks keep their places on the surface, change smoothly as the camera moves, and
+/// never get smaller by a
+/// zoom in.  docs/how-marks-work.md
+pub const HRBFNPR_EVENNESS_PICTURE: u32 = 0;
+/// On the surface: the first marks of the order are shown.  For drawings that show the same
+/// marks by other means,
+/// such as the prefixes of a vertex buffer.
+pub const HRBFNPR_EVENNESS_SURFACE: u32 = 1;
+
 // What the tone tau of a front mark comes from: 1 = light, 0 = dark.
 /// tau = 0: all front marks are shown
 pub const HRBFNPR_TONE_NONE: u32 = 0;
@@ -3479,6 +3495,8 @@ pub struct hrbfnpr_style {
     pub palette: *const f32,
     /// number of inks; 0 .. 8; default 0. An ink_field needs at least one
     pub palette_count: i64,
+    /// where stipples are evenly spread, HRBFNPR_EVENNESS_...; default PICTURE
+    pub evenness: u32,
 }
 
 extern "C" {
