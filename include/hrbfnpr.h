@@ -2386,7 +2386,7 @@ typedef struct hrbfnpr_style {
     float light_intensity;       /* as in hrbfnpr_light; default 1 */
     float light_shadow;          /* as in hrbfnpr_light; default 0 */
     float light_softness;        /* as in hrbfnpr_light; default 0 */
-    uint32_t reserved3;
+    uint32_t evenness;           /* where stipples are evenly spread, HRBFNPR_EVENNESS_...; default PICTURE */
     const hrbfnpr_light* lights; /* a list of up to 8 lights; default NULL = one directional light, with the fields
                                     `light` and light_, which a list replaces.  The first one is the light of isophotes
                                     and of lit_factor */
@@ -2418,7 +2418,6 @@ typedef struct hrbfnpr_style {
     const float* palette;        /* inks for ink_field, palette_count x 4, straight RGBA in [0, 1], sRGB-encoded;
                                     default NULL.  It is read during _draw only */
     int64_t palette_count;       /* number of inks; 0 .. 8; default 0.  An ink_field needs at least one */
-    uint32_t evenness;           /* where stipples are evenly spread, HRBFNPR_EVENNESS_...; default PICTURE */
 } hrbfnpr_style;
 
 /* Sets struct_size and all defaults. */

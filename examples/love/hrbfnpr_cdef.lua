@@ -334,11 +334,11 @@ typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[
     uint32_t visibility; uint32_t hidden_lines; double attenuation_front; double attenuation_back; float splat_radius;
     float splat_overlap; float halo_width; uint32_t reserved; double depth_min; double depth_max; double zoom_reference;
     double zoom_exponent; const hrbfnpr_line_style* lines; int64_t line_count; int64_t line_stride; float fill_light;
-    uint32_t reserved2; float light_intensity; float light_shadow; float light_softness; uint32_t reserved3;
+    uint32_t reserved2; float light_intensity; float light_shadow; float light_softness; uint32_t evenness;
     const hrbfnpr_light* lights; int64_t light_count; int64_t light_stride; double ambient_up[3]; float ambient_sky;
     float ambient_ground; float occlusion; float occlusion_exponent; float rim_light; float rim_exponent;
     float tone_black; float tone_white; float tone_gamma; uint32_t tone_steps; float curvature_contrast;
-    float occlusion_lights; const float* palette; int64_t palette_count; uint32_t evenness; } hrbfnpr_style;
+    float occlusion_lights; const float* palette; int64_t palette_count; } hrbfnpr_style;
 hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
 enum { HRBFNPR_PRESET_STIPPLE = 0, HRBFNPR_PRESET_HATCH = 1, HRBFNPR_PRESET_CROSS_HATCH = 2, HRBFNPR_PRESET_COMBING = 3,
     HRBFNPR_PRESET_SILHOUETTE = 4, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, HRBFNPR_PRESET_XRAY = 6,

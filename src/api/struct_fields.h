@@ -290,13 +290,13 @@ inline constexpr FieldLayout fields_of_hrbfnpr_style[] = {
     FIELD(zoom_reference, "double"), FIELD(zoom_exponent, "double"), FIELD(lines, "const hrbfnpr_line_style*"),
     FIELD(line_count, "int64_t"), FIELD(line_stride, "int64_t"), FIELD(fill_light, "float"),
     FIELD(reserved2, "uint32_t"), FIELD(light_intensity, "float"), FIELD(light_shadow, "float"),
-    FIELD(light_softness, "float"), FIELD(reserved3, "uint32_t"), FIELD(lights, "const hrbfnpr_light*"),
+    FIELD(light_softness, "float"), FIELD(evenness, "uint32_t"), FIELD(lights, "const hrbfnpr_light*"),
     FIELD(light_count, "int64_t"), FIELD(light_stride, "int64_t"), FIELD(ambient_up, "double[3]"),
     FIELD(ambient_sky, "float"), FIELD(ambient_ground, "float"), FIELD(occlusion, "float"),
     FIELD(occlusion_exponent, "float"), FIELD(rim_light, "float"), FIELD(rim_exponent, "float"),
     FIELD(tone_black, "float"), FIELD(tone_white, "float"), FIELD(tone_gamma, "float"), FIELD(tone_steps, "uint32_t"),
     FIELD(curvature_contrast, "float"), FIELD(occlusion_lights, "float"), FIELD(palette, "const float*"),
-    FIELD(palette_count, "int64_t"), FIELD(evenness, "uint32_t")};
+    FIELD(palette_count, "int64_t")};
 #undef RECORD
 #define RECORD hrbfnpr_dab
 inline constexpr FieldLayout fields_of_hrbfnpr_dab[] = {

@@ -137,7 +137,7 @@ static_assert(layer_style_fields().covers<hrbfnpr_layer_style>());
         field("light_intensity", &Given::light_intensity, &To::light_intensity, strength),
         field("light_shadow", &Given::light_shadow, &To::light_shadow, share),
         field("light_softness", &Given::light_softness, &To::light_softness, rule::Between{0.0, 0.5}),
-        reserved("reserved3", &Given::reserved3),
+        field("evenness", &Given::evenness, &To::evenness, rule::OneOf{HRBFNPR_EVENNESS_SURFACE, "HRBFNPR_EVENNESS_*"}),
         field("lights", &Given::lights, rule::Any{}),
         field("light_count", &Given::light_count, rule::Any{}),
         field("light_stride", &Given::light_stride, rule::Any{}),
@@ -155,9 +155,7 @@ static_assert(layer_style_fields().covers<hrbfnpr_layer_style>());
         field("curvature_contrast", &Given::curvature_contrast, &To::curvature_contrast, strength),
         field("occlusion_lights", &Given::occlusion_lights, &To::occlusion_lights, share),
         field("palette", &Given::palette, rule::Any{}),
-        field("palette_count", &Given::palette_count, rule::Any{}),
-        field("evenness", &Given::evenness, &To::evenness,
-              rule::OneOf{HRBFNPR_EVENNESS_SURFACE, "HRBFNPR_EVENNESS_*"})};
+        field("palette_count", &Given::palette_count, rule::Any{})};
 }
 static_assert(style_fields().covers<hrbfnpr_style>());
 

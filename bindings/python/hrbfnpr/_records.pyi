@@ -1308,6 +1308,7 @@ class StyleFields(Attributes):
     light_intensity: Field[float, float]
     light_shadow: Field[float, float]
     light_softness: Field[float, float]
+    evenness: Field[str, str]
     ambient_up: Field[Tuple[float, ...], Sequence[float]]
     ambient_sky: Field[float, float]
     ambient_ground: Field[float, float]
@@ -1321,7 +1322,6 @@ class StyleFields(Attributes):
     tone_steps: Field[int, int]
     curvature_contrast: Field[float, float]
     occlusion_lights: Field[float, float]
-    evenness: Field[str, str]
 
 class LightFields(Attributes):
     kind: Field[str, str]

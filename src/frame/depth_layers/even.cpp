@@ -56,7 +56,7 @@ constexpr float packed = 1.0745699F;
 
 EvenOrder::EvenOrder(base::Memory& memory) noexcept
     : range_(memory), in_range_(memory), removed_(memory), tiles_(memory, drawing::tile_size), first_(memory),
-      keys_(memory), spots_(memory), cell_first_(memory), in_cell_(memory), cell_x_(memory), cell_y_(memory),
+      keys_(memory), spots_(memory), cell_first_(memory), order_(memory), cell_x_(memory), cell_y_(memory),
       cell_place_(memory), tile_(memory), distance_(memory), previous_(memory) {}
 
 // Returns the column or the row of the cell at a place. Places outside the picture belong to the nearest cell.
@@ -65,7 +65,7 @@ std::int32_t EvenOrder::cell_along(float at, std::int32_t tiles) const noexcept 
     return static_cast<std::int32_t>(std::clamp(at * (static_cast<float>(cells_) / drawing::tile_size), 0.0F, last));
 }
 
-// Copies the marks of a tile in their order, and sorts them into cells.
+// Copies the marks of a tile into its cells. Each cell has its marks in their order.
 void EvenOrder::fill_tile(std::span<const EvenMark> marks, const drawing::Drawing& drawing, std::int64_t number) {
     const std::int64_t begin = first_[number];
     const std::int64_t count = first_[number + 1] - begin;
@@ -76,45 +76,48 @@ void EvenOrder::fill_tile(std::span<const EvenMark> marks, const drawing::Drawin
     });
     HRBFNPR_ASSERT(added == count);
     std::sort(keys, keys + count);
+    const glm::vec2 corner(drawing.first_pixel);
     const std::int64_t cells = std::int64_t{cells_} * cells_;
     std::uint32_t* const first = cell_first_.data() + number * cells;
+    std::uint32_t* const order = order_.data() + begin;
     std::fill_n(first, cells, 0U);
     for (std::int64_t i = 0; i < count; ++i) {
-        const auto index = static_cast<std::uint32_t>(keys[i]);
-        const EvenMark& mark = marks[index];
-        const Dot& dot = drawing.dots[index];
-        const float x = dot.x - static_cast<float>(drawing.first_pixel.x);
-        const float y = dot.y - static_cast<float>(drawing.first_pixel.y);
-        const std::int32_t column = cell_along(x, tiles_.columns()) % cells_;
-        const std::int32_t row = cell_along(y, tiles_.rows()) % cells_;
-        const float inside = 2.0F * (1.0F - mark.outside / layer_tuning.even_margin);
-        spots_[begin + i] = {keys[i],
-                             x,
-                             y,
-                             dot.depth,
-                             dot.pixels_per_unit,
-                             std::min(mark.own, layer_tuning.even_most * mark.wanted),
-                             reach_at(mark.facing) * packed * mark.wanted,
-                             mark.wanted,
-                             mark.normal,
-                             mark.slope,
-                             std::clamp(inside, 0.0F, 1.0F),
-                             dot.layer,
-                             static_cast<std::uint32_t>(row * cells_ + column)};
-        ++first[spots_[begin + i].cell];
+        const Dot& dot = drawing.dots[static_cast<std::uint32_t>(keys[i])];
+        const std::int32_t column = cell_along(dot.x - corner.x, tiles_.columns()) % cells_;
+        const std::int32_t row = cell_along(dot.y - corner.y, tiles_.rows()) % cells_;
+        order[i] = static_cast<std::uint32_t>(row * cells_ + column);
+        ++first[order[i]];
     }
     std::exclusive_scan(first, first + cells, first, static_cast<std::uint32_t>(begin));
-    for (std::int64_t i = begin; i < begin + count; ++i) {
-        const Spot& spot = spots_[i];
-        const std::int64_t at = first[spot.cell]++;
-        in_cell_[at] = static_cast<std::uint32_t>(i);
-        cell_x_[at] = spot.x;
-        cell_y_[at] = spot.y;
-        cell_place_[at] = std::bit_cast<float>(static_cast<std::uint32_t>(spot.order >> 32U));
+    for (std::int64_t i = 0; i < count; ++i) {
+        const std::uint32_t at = first[order[i]]++;
+        order[i] = at;
+        const auto index = static_cast<std::uint32_t>(keys[i]);
+        spots_[at] = spot_of(keys[i], marks[index], drawing.dots[index], corner);
+        cell_x_[at] = spots_[at].x;
+        cell_y_[at] = spots_[at].y;
+        cell_place_[at] = marks[index].place;
     }
     // Now each element is the end of its cell. Shifting makes it the begin of the next.
     std::copy_backward(first, first + cells - 1, first + cells);
     first[0] = static_cast<std::uint32_t>(begin);
+}
+
+EvenOrder::Spot EvenOrder::spot_of(std::uint64_t order, const EvenMark& mark, const Dot& dot,
+                                   const glm::vec2& corner) noexcept {
+    const float inside = 2.0F * (1.0F - mark.outside / layer_tuning.even_margin);
+    return {order,
+            dot.x - corner.x,
+            dot.y - corner.y,
+            dot.depth,
+            dot.pixels_per_unit,
+            std::min(mark.own, layer_tuning.even_most * mark.wanted),
+            reach_at(mark.facing) * packed * mark.wanted,
+            mark.wanted,
+            mark.normal,
+            mark.slope,
+            std::clamp(inside, 0.0F, 1.0F),
+            dot.layer};
 }
 
 void EvenOrder::sort(const base::Parallel& parallel, std::span<const EvenMark> marks, const drawing::Drawing& drawing) {
@@ -142,7 +145,7 @@ void EvenOrder::sort(const base::Parallel& parallel, std::span<const EvenMark> m
     while (cells_ < layer_tuning.most_even_cells && 4 * used * (cells_ * cells_) < count) cells_ *= 2;
     base::resize_scratch(keys_, count);
     base::resize_scratch(spots_, count);
-    base::resize_scratch(in_cell_, count);
+    base::resize_scratch(order_, count);
     for (base::Array<float>* const row : {&cell_x_, &cell_y_, &cell_place_}) {
         base::resize_scratch(*row, count + vector_margin);
         std::fill(row->end() - vector_margin, row->end(), 0.0F);
@@ -153,22 +156,28 @@ void EvenOrder::sort(const base::Parallel& parallel, std::span<const EvenMark> m
     parallel.for_each(tiles, [&](std::int64_t i) { fill_tile(marks, drawing, i); });
 }
 
-// Finds the cells within `reach` of a mark, as intervals of consecutive marks. Returns how many marks they have.
-std::int64_t EvenOrder::find_cells(const Spot& spot, float reach, base::Array<MarkInterval>& intervals) const {
+// Finds the cells within `reach` of a cell of a tile, as intervals of consecutive marks. Returns how many marks they
+// have.
+std::int64_t EvenOrder::find_cells(std::int64_t number, std::int32_t cell, float reach,
+                                   base::Array<MarkInterval>& intervals) const {
+    const auto column = static_cast<std::int32_t>(number % tiles_.columns()) * cells_ + cell % cells_;
+    const auto row = static_cast<std::int32_t>(number / tiles_.columns()) * cells_ + cell / cells_;
+    const auto far =
+        static_cast<std::int32_t>(std::min(std::ceil(reach * (static_cast<float>(cells_) / drawing::tile_size)), 1e6F));
+    const std::int32_t left = std::max(column - far, 0);
+    const std::int32_t right = std::min(column + far, tiles_.columns() * cells_ - 1);
+    const std::int32_t bottom = std::min(row + far, tiles_.rows() * cells_ - 1);
     intervals.clear();
     std::int64_t marks = 0;
-    const std::int32_t left = cell_along(spot.x - reach, tiles_.columns());
-    const std::int32_t right = cell_along(spot.x + reach, tiles_.columns());
-    const std::int32_t bottom = cell_along(spot.y + reach, tiles_.rows());
-    for (std::int32_t row = cell_along(spot.y - reach, tiles_.rows()); row <= bottom; ++row) {
-        for (std::int32_t column = left; column <= right;) {
-            const std::int32_t last = std::min(right, column | (cells_ - 1)); // of the cells in this tile
-            const std::int64_t tile = std::int64_t{row / cells_} * tiles_.columns() + column / cells_;
-            const std::uint32_t* const cells = cell_first_.data() + (tile * cells_ + row % cells_) * cells_;
-            const MarkInterval interval = {cells[column % cells_], cells[last % cells_ + 1]};
+    for (std::int32_t y = std::max(row - far, 0); y <= bottom; ++y) {
+        for (std::int32_t x = left; x <= right;) {
+            const std::int32_t last = std::min(right, x | (cells_ - 1)); // of the cells in this tile
+            const std::int64_t tile = std::int64_t{y / cells_} * tiles_.columns() + x / cells_;
+            const std::uint32_t* const cells = cell_first_.data() + (tile * cells_ + y % cells_) * cells_;
+            const MarkInterval interval = {cells[x % cells_], cells[last % cells_ + 1]};
             if (interval.begin < interval.end) intervals.push_back(interval);
             marks += interval.end - interval.begin;
-            column = last + 1;
+            x = last + 1;
         }
     }
     return marks;
@@ -202,23 +211,31 @@ void EvenOrder::find_claims(const NearMarks& near, std::int64_t number) {
     Tile& tile = tile_[number];
     tile.first.clear();
     tile.claims.clear();
-    tile.open.clear();
     const MarksInCells marks = {cell_x_.data(), cell_y_.data(), cell_place_.data()};
-    for (std::int64_t i = first_[number]; i < first_[number + 1]; ++i) {
-        const Spot& spot = spots_[i];
-        tile.first.push_back(static_cast<std::uint32_t>(tile.claims.size()));
-        const float reach = std::max(spot.reach, layer_tuning.even_distance * spot.most);
-        base::resize_scratch(tile.found, find_cells(spot, reach, tile.intervals) + vector_margin);
-        const auto place = std::bit_cast<float>(static_cast<std::uint32_t>(spot.order >> 32U));
-        const std::int64_t found = near.find(marks, tile.intervals.data(), tile.intervals.size(), spot.x, spot.y, reach,
-                                             place, tile.found.data());
-        const std::int64_t before = tile.claims.size();
-        for (std::int64_t k = 0; k < found; ++k) add_claim(spot, in_cell_[tile.found[k]], tile.claims);
-        const bool is_free = tile.claims.size() == before;
-        if (!is_free) tile.open.push_back(static_cast<std::uint32_t>(i));
-        distance_[i] = previous_[i] = is_free ? spot.most : -spot.most;
+    const auto reach_of = [&](std::uint32_t i) {
+        return std::max(spots_[i].reach, layer_tuning.even_distance * spots_[i].most);
+    };
+    for (std::int32_t cell = 0; cell < cells_ * cells_; ++cell) {
+        const std::uint32_t* const first = cell_first_.data() + number * cells_ * cells_ + cell;
+        if (first[0] == first[1]) continue;
+        float farthest = 0.0F;
+        for (std::uint32_t i = first[0]; i < first[1]; ++i) farthest = std::max(farthest, reach_of(i));
+        base::resize_scratch(tile.found, find_cells(number, cell, farthest, tile.intervals) + vector_margin);
+        for (std::uint32_t i = first[0]; i < first[1]; ++i) {
+            const Spot& spot = spots_[i];
+            tile.first.push_back(static_cast<std::uint32_t>(tile.claims.size()));
+            const std::int64_t before = tile.claims.size();
+            const std::int64_t found = near.find(marks, tile.intervals.data(), tile.intervals.size(), spot.x, spot.y,
+                                                 reach_of(i), cell_place_[i], tile.found.data());
+            for (std::int64_t k = 0; k < found; ++k) add_claim(spot, tile.found[k], tile.claims);
+            const bool is_free = tile.claims.size() == before;
+            distance_[i] = previous_[i] = is_free ? spot.most : -spot.most;
+        }
     }
     tile.first.push_back(static_cast<std::uint32_t>(tile.claims.size()));
+    tile.open.clear();
+    for (std::int64_t i = first_[number]; i < first_[number + 1]; ++i)
+        if (previous_[order_[i]] < 0.0F) tile.open.push_back(order_[i]);
 }
 
 // Finds the distances of a tile's open marks from the distances of the marks before them. Those of other tiles are from
@@ -235,7 +252,7 @@ void EvenOrder::settle_tile(std::int64_t number) {
         bool is_last = true;
         for (std::uint32_t k = tile.first[i - begin]; k < tile.first[i - begin + 1]; ++k) {
             const Claim& claim = tile.claims[k];
-            const float apart = claim.pixels / layer_tuning.even_distance;
+            const float apart = claim.pixels * (1.0F / layer_tuning.even_distance);
             if (distance <= apart) continue;
             const bool own = claim.spot >= begin && claim.spot < end;
             const float other = own ? distance_[claim.spot] : previous_[claim.spot];
@@ -341,7 +358,7 @@ std::int64_t EvenOrder::bytes() const noexcept {
         claims +=
             tile.first.bytes() + tile.claims.bytes() + tile.open.bytes() + tile.intervals.bytes() + tile.found.bytes();
     return range_.bytes() + in_range_.bytes() + removed_.bytes() + tiles_.bytes() + first_.bytes() + keys_.bytes() +
-           spots_.bytes() + cell_first_.bytes() + in_cell_.bytes() + cell_x_.bytes() + cell_y_.bytes() +
+           spots_.bytes() + cell_first_.bytes() + order_.bytes() + cell_x_.bytes() + cell_y_.bytes() +
            cell_place_.bytes() + tile_.bytes() + claims + distance_.bytes() + previous_.bytes();
 }
 

@@ -48,7 +48,6 @@ public:
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
-    // A mark. The marks of a tile stand in their order on the surface.
     struct Spot {
         std::uint64_t order; // the place, then the index of the dot
         float x, y;          // pixels
@@ -58,7 +57,7 @@ private:
         float wanted; // the square root of the area of a mark of its tone
         glm::vec2 normal, slope;
         float weight; // 0 for marks far outside the window
-        std::uint32_t run, cell;
+        std::uint32_t run;
     };
     // An earlier mark that may be too near.
     struct Claim {
@@ -83,7 +82,10 @@ private:
 
     void sort(const base::Parallel& parallel, std::span<const EvenMark> marks, const drawing::Drawing& drawing);
     void fill_tile(std::span<const EvenMark> marks, const drawing::Drawing& drawing, std::int64_t number);
-    [[nodiscard]] std::int64_t find_cells(const Spot& spot, float reach, base::Array<MarkInterval>& intervals) const;
+    [[nodiscard]] std::int64_t find_cells(std::int64_t number, std::int32_t cell, float reach,
+                                          base::Array<MarkInterval>& intervals) const;
+    [[nodiscard]] static Spot spot_of(std::uint64_t order, const EvenMark& mark, const drawing::Dot& dot,
+                                      const glm::vec2& corner) noexcept;
     [[nodiscard]] static float same_sheet(const Spot& a, const Spot& b) noexcept;
     void add_claim(const Spot& spot, std::uint32_t number, base::Array<Claim>& claims) const;
     void find_claims(const NearMarks& near, std::int64_t number);
@@ -100,11 +102,11 @@ private:
     std::int32_t cells_ = 1;          // the cells along a side of a tile
     base::Array<std::int64_t> first_; // for each tile and one more: its first spot
     base::Array<std::uint64_t> keys_; // the orders of the spots
-    base::Array<Spot> spots_;         // tile by tile
-    base::Array<std::uint32_t>
-        cell_first_;                     // for each cell, tile by tile, and one more: its first element of `in_cell_`
-    base::Array<std::uint32_t> in_cell_; // the indices of the spots of each cell, in their order
-    base::Array<float> cell_x_, cell_y_, cell_place_; // of each element of `in_cell_`
+    base::Array<Spot> spots_;         // tile by tile, cell by cell, and in the order on the surface
+    // For each cell, tile by tile, and one more: its first spot.
+    base::Array<std::uint32_t> cell_first_;
+    base::Array<std::uint32_t> order_;                // for each tile: its spots in the order on the surface
+    base::Array<float> cell_x_, cell_y_, cell_place_; // of each spot
     base::List<Tile> tile_;
     base::Array<float> distance_, previous_; // of each spot: after this round, and after the round before
 };

@@ -139,7 +139,7 @@ namespace HrbfNpr
         internal float light_intensity;
         internal float light_shadow;
         internal float light_softness;
-        internal uint reserved3;
+        internal uint evenness;
         internal IntPtr lights;
         internal long light_count;
         internal long light_stride;
@@ -158,7 +158,6 @@ namespace HrbfNpr
         internal float occlusion_lights;
         internal IntPtr palette;
         internal long palette_count;
-        internal uint evenness;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_dab")]

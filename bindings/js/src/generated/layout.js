@@ -442,7 +442,7 @@ export const STRUCTS = {
     wobbleSeed: ["u32", 152],
     creases: ["u32", 156, 0, "CREASES"],
   } },
-  hrbfnpr_style: { size: 376, sized: true, fields: {
+  hrbfnpr_style: { size: 368, sized: true, fields: {
     tone: ["u32", 4, 0, "TONE"],
     paper: ["f32", 8, 4],
     layers: ["list", 24, "hrbfnpr_layer_style", 32, 40],
@@ -473,6 +473,7 @@ export const STRUCTS = {
     lightIntensity: ["f32", 240],
     lightShadow: ["f32", 244],
     lightSoftness: ["f32", 248],
+    evenness: ["u32", 252, 0, "EVENNESS"],
     lights: ["list", 256, "hrbfnpr_light", 264, 272],
     ambientUp: ["f64", 280, 3],
     ambientSky: ["f32", 304],
@@ -488,7 +489,6 @@ export const STRUCTS = {
     curvatureContrast: ["f32", 344],
     occlusionLights: ["f32", 348],
     palette: ["colours", 352, 360],
-    evenness: ["u32", 368, 0, "EVENNESS"],
   } },
   hrbfnpr_dab: { size: 104, sized: true, fields: {
     map: ["u32", 4, 0, "DAB"],
@@ -1082,10 +1082,10 @@ export const OFFSETS = {
     136, hidden_lines: 140, attenuation_front: 144, attenuation_back: 152, splat_radius: 160, splat_overlap: 164,
     halo_width: 168, reserved: 172, depth_min: 176, depth_max: 184, zoom_reference: 192, zoom_exponent: 200, lines:
     208, line_count: 216, line_stride: 224, fill_light: 232, reserved2: 236, light_intensity: 240, light_shadow: 244,
-    light_softness: 248, reserved3: 252, lights: 256, light_count: 264, light_stride: 272, ambient_up: 280,
+    light_softness: 248, evenness: 252, lights: 256, light_count: 264, light_stride: 272, ambient_up: 280,
     ambient_sky: 304, ambient_ground: 308, occlusion: 312, occlusion_exponent: 316, rim_light: 320, rim_exponent: 324,
     tone_black: 328, tone_white: 332, tone_gamma: 336, tone_steps: 340, curvature_contrast: 344, occlusion_lights:
-    348, palette: 352, palette_count: 360, evenness: 368},
+    348, palette: 352, palette_count: 360},
   hrbfnpr_dab: {struct_size: 0, map: 4, position: 8, normal: 32, radius: 56, strength: 64, value: 72, direction: 80},
   hrbfnpr_field_desc: {struct_size: 0, kind: 4, source: 8, flags: 12, range: 16, points: 32, triangles: 64, values:
     96, reach: 128, function: 136, user: 140, dabs: 144, dab_count: 152, dab_stride: 160, image: 168, camera: 172,

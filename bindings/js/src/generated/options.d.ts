@@ -1416,6 +1416,8 @@ export interface Style {
   lightShadow?: number;
   /** as in hrbfnpr_light; default 0 */
   lightSoftness?: number;
+  /** where stipples are evenly spread, HRBFNPR_EVENNESS_...; default PICTURE */
+  evenness?: EvennessName | number;
   /**
    * a list of up to 8 lights; default NULL = one directional light, with the fields `light` and light_, which a
    * list replaces. The first one is the light of isophotes and of lit_factor
@@ -1474,8 +1476,6 @@ export interface Style {
    * _draw only
    */
   palette?: readonly Numbers[];
-  /** where stipples are evenly spread, HRBFNPR_EVENNESS_...; default PICTURE */
-  evenness?: EvennessName | number;
 }
 
 /**

@@ -794,7 +794,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_style>() == either(384, 376, 356));
+    assert!(size_of::<hrbfnpr_style>() == either(376, 368, 352));
     assert!(align_of::<hrbfnpr_style>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -838,7 +838,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_style, light_intensity) == either(248, 240, 232));
     assert!(offset_of!(hrbfnpr_style, light_shadow) == either(252, 244, 236));
     assert!(offset_of!(hrbfnpr_style, light_softness) == either(256, 248, 240));
-    assert!(offset_of!(hrbfnpr_style, reserved3) == either(260, 252, 244));
+    assert!(offset_of!(hrbfnpr_style, evenness) == either(260, 252, 244));
     assert!(offset_of!(hrbfnpr_style, lights) == either(264, 256, 248));
     assert!(offset_of!(hrbfnpr_style, light_count) == either(272, 264, 252));
     assert!(offset_of!(hrbfnpr_style, light_stride) == either(280, 272, 260));
@@ -857,7 +857,6 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_style, occlusion_lights) == either(356, 348, 336));
     assert!(offset_of!(hrbfnpr_style, palette) == either(360, 352, 340));
     assert!(offset_of!(hrbfnpr_style, palette_count) == either(368, 360, 344));
-    assert!(offset_of!(hrbfnpr_style, evenness) == either(376, 368, 352));
 };
 
 const _: () = {

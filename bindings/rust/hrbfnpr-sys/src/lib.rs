@@ -3445,7 +3445,8 @@ pub struct hrbfnpr_style {
     pub light_shadow: f32,
     /// as in hrbfnpr_light; default 0
     pub light_softness: f32,
-    pub reserved3: u32,
+    /// where stipples are evenly spread, HRBFNPR_EVENNESS_...; default PICTURE
+    pub evenness: u32,
     /// a list of up to 8 lights; default NULL = one directional light, with the fields `light`
     /// and light_, which a list replaces. The first one is the light of isophotes and of
     /// lit_factor
@@ -3495,8 +3496,6 @@ pub struct hrbfnpr_style {
     pub palette: *const f32,
     /// number of inks; 0 .. 8; default 0. An ink_field needs at least one
     pub palette_count: i64,
-    /// where stipples are evenly spread, HRBFNPR_EVENNESS_...; default PICTURE
-    pub evenness: u32,
 }
 
 extern "C" {
