@@ -106,7 +106,17 @@ def blueprint(kind, width, outline, name=None):
             "taper": 0.0, "ink": CHALK}
 
 
-PLAIN_LINES = with_creases(contour(2.2), 1.4)
+# Soft edges of 60 degrees have the whole width, and weaker ones are narrower.
+SOFT = {"taper": 24.0, "shortest": 10.0, "lower": 15.0, "upper": 60.0}
+
+
+def with_edges(line, crease, soft):
+    """As with_creases(), and a style for soft edges, which are thinner still, narrow to their ends, and do not show hidden parts."""
+    return [*with_creases(line, crease),
+            {**line, "kind": "soft_edge", "width": soft, "outline_factor": 1.0, "hidden": "none", **SOFT}]
+
+
+PLAIN_LINES = with_edges(contour(2.2), 1.4, 1.1)
 
 # Hidden contours are pale, but visible through one or two layers of surface.
 PALE = {"attenuation_front": 0.2, "attenuation_back": 0.1}
@@ -157,7 +167,7 @@ PRESETS = [
         marks=[STIPPLES],
         layers=[hidden("any")],
         # In a drawing of lines only, the outline is heavier.
-        lines=with_creases(contour(2.2, hidden="attenuated", outline_factor=1.5), 1.4),
+        lines=with_edges(contour(2.2, hidden="attenuated", outline_factor=1.5), 1.4, 1.2),
         style={"silhouette_radius": 1.2, **PALE},
     ),
     Preset(
@@ -216,7 +226,7 @@ PRESETS = [
         marks=[STIPPLES, hatching()],
         layers=[swelling(0.22, 0.75, 1.0, hatch_spacing=5.0, hatch_pen=0.9, hatch_white=0.0, hatch_taper=20.0,
                          hatch_shortest=12.0), hidden("any")],
-        lines=with_creases(contour(3.6, outline_factor=1.5), 2.4),
+        lines=with_edges(contour(3.6, outline_factor=1.5), 2.4, 1.8),
         style={"silhouette_radius": 1.2, "hidden_lines": "hide", "occlusion_lights": OCCLUSION},
     ),
     Preset(
@@ -225,7 +235,7 @@ PRESETS = [
         use="Stipples in even tones with fine contours, as in plates of biology and palaeontology.",
         marks=[{**STIPPLES, "tone_begin": 0.08, "tone_end": 1.0}],  # the lights stay empty
         layers=[shown("stipples", radius=0.6, share=0.85), hidden("any")],
-        lines=with_creases(contour(1.3, outline_factor=1.6, lit_factor=0.55, taper=16.0), 0.9),
+        lines=with_edges(contour(1.3, outline_factor=1.6, lit_factor=0.55, taper=16.0), 0.9, 0.7),
         style={"silhouette_radius": 0.8, "light": UPPER_LEFT, "tone_exponent": 0.8, "occlusion_lights": OCCLUSION},
     ),
     Preset(
@@ -235,7 +245,8 @@ PRESETS = [
         marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(40.0, "hatch-2")],
         layers=[pencilled(0.20, 0.70, 0.26, 1, "hatch-1"), pencilled(0.50, 0.92, 0.28, 2, "hatch-2"),
                 pencilled(0.20, 0.92, 0.28, 3), hidden("any", ink=GRAPHITE)],
-        lines=[pencil(1.7, 0.9, 1), pencil(1.1, 3.2, 2), {**pencil(1.2, 0.9, 3), "kind": "crease"}],
+        lines=[pencil(1.7, 0.9, 1), pencil(1.1, 3.2, 2), {**pencil(1.2, 0.9, 3), "kind": "crease"},
+               {**pencil(0.9, 0.9, 4), "kind": "soft_edge", **SOFT}],
         style={"silhouette_radius": 1.2, "silhouette_ink": GRAPHITE, "hidden_lines": "hide", "paper": WARM_PAPER,
                "halo_width": 0.0},
     ),

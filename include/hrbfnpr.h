@@ -1867,21 +1867,27 @@ enum {
     HRBFNPR_LINE_KIND_SHADOW = 12,            /* borders of the shadows that fall on the item, of lights with a shadow;
                                                  for items whose shading has HRBFNPR_SHADING_WITH_LINES.  Strength: the
                                                  light's `shadow` */
-    HRBFNPR_LINE_KIND_TERMINATOR = 13         /* borders between light and shade where the item turns away from a light
+    HRBFNPR_LINE_KIND_TERMINATOR = 13,        /* borders between light and shade where the item turns away from a light
                                                  with a shadow, n . l = 0, and nothing else shades the place; as SHADOW
                                                  */
+    HRBFNPR_LINE_KIND_SOFT_EDGE = 14          /* edges and folds that are round, such as the worn rim of a base; once.
+                                                 Strength: the angle by which the surface turns within a few cells of
+                                                 the line, less the turns beside that, in degrees.  Organic bumps,
+                                                 limbs and noise have none.  `fade` of a line style makes the line
+                                                 narrower and not paler */
 };
 
 /* Lines to find once, when the line set is made. */
 typedef struct hrbfnpr_line_desc {
     uint32_t struct_size;
-    uint32_t kind;     /* HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION or OWN; default RIDGE */
+    uint32_t kind;     /* HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION, OWN or SOFT_EDGE; default RIDGE */
     const char* name;  /* name by which hrbfnpr_line_style.name selects these lines; UTF-8, up to 63 bytes; default NULL
                           = "" */
     double lower;      /* least strength at which a line goes on; 0 or more; default 0.  If `lower` and `upper` are 0,
-                          it is 6 for ridges and valleys, and 0 for other kinds */
+                          it is 6 for ridges and valleys, 15 (degrees) for soft edges, and 0 for other kinds */
     double upper;      /* strength that a line must reach somewhere, or it is dropped; not below `lower`; default 0.  If
-                          `lower` and `upper` are 0, it is 15 for ridges and valleys, and 0 for other kinds */
+                          `lower` and `upper` are 0, it is 15 for ridges and valleys, 35 (degrees) for soft edges, and 0
+                          for other kinds */
     double shortest;   /* length below which a line is dropped, in diagonals; 0 or more; default 0.01 */
     double plane[3];   /* SECTION: normal of the planes, of any length but 0; default (0, 0, 1) */
     hrbfnpr_array levels; /* SECTION: places of the planes along the unit normal, in units of the model; n x 1, FLOAT32
@@ -2266,10 +2272,10 @@ typedef struct hrbfnpr_line_style {
                              default 1; 0 = it does not fade */
     double lower;         /* least strength at which a line goes on, as in hrbfnpr_line_desc; 0 or more; default 0.  If
                              `lower` and `upper` are 0, it is 10 for suggestive contours, 12 for apparent ridges, 15
-                             (degrees) for creases, and 0 for other kinds */
+                             (degrees) for creases, 15 (degrees) for soft edges, and 0 for other kinds */
     double upper;         /* strength that a line must reach somewhere to be drawn; 0 or more; default 0.  If `lower`
                              and `upper` are 0, it is 30 for suggestive contours, 25 for apparent ridges, 30 (degrees)
-                             for creases, and 0 for other kinds */
+                             for creases, 35 (degrees) for soft edges, and 0 for other kinds */
     hrbfnpr_array levels; /* values of n . l at which an ISOPHOTE lies; n x 1, FLOAT64, packed, -1 .. 1; at least one
                              for ISOPHOTE.  It is read during _draw only */
     float ink[4];         /* colour of the ink, straight RGBA; default black */
@@ -2297,7 +2303,8 @@ typedef struct hrbfnpr_line_style {
     float wobble_width;   /* share by which the width of a line varies; 0 .. 1; default 0 */
     float wobble_length;  /* approximate length from swing to swing, in widths; 1 .. 16384; default 40 */
     uint32_t wobble_seed; /* seed of the wobble; any number; default 0 */
-    uint32_t creases;     /* which lines of kind CREASE are drawn, HRBFNPR_CREASES_...; default ALL */
+    uint32_t creases;     /* which lines of the kinds CREASE and SOFT_EDGE are drawn, HRBFNPR_CREASES_...; default
+                             ALL */
 } hrbfnpr_line_style;
 
 /* Sets struct_size and all defaults. */
@@ -3438,9 +3445,9 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, cons
  *
  * Ink is in named groups, the layers of a file.  The group of a layer of marks has that layer's name, such as
  * "stipples" or "hatch-2".  Groups of lines are called "contour", "suggestive", "ridge", "valley", "apparent ridge",
- * "parabolic", "isophote", "section", "border", "crease", "shadow", "terminator", or have the name of lines of kind
- * OWN.  Ink behind n layers of surface has " hidden n" at the end of its name.  A second layer of the same name has
- * " 2".
+ * "parabolic", "isophote", "section", "border", "crease", "shadow", "terminator", "soft edge", or have the name of
+ * lines of kind OWN.  Ink behind n layers of surface has " hidden n" at the end of its name.  A second layer of the same
+ * name has " 2".
  *
  * Groups follow the layers of the drawing, hidden ones first.  In a group strokes are in order from far to near.  Where
  * inks of several colours lie on each other, groups begin anew with ", run 2" at the end of their names, up to 32 runs,
@@ -4057,7 +4064,7 @@ typedef struct hrbfnpr_picture_desc {
                                   = by seed_source of hrbfnpr_generate_desc */
     double hatch_angle;        /* angle by which all lines of hatching are turned, in degrees, -360 .. 360; default 0 */
     const char* lines;         /* kinds of lines with commas between: contour, suggestive, ridges, valleys, apparent,
-                                  parabolic, isophotes=0.3:0.6, section=z:20, border, crease, shadow, terminator;
+                                  parabolic, isophotes=0.3:0.6, section=z:20, border, crease, shadow, terminator, soft;
                                   "none" = no lines, so that contours are drawn by marks with VISIBILITY_PUBLISHED
                                   only; default NULL = those of the style */
     const char* scale_bar;     /* unit of a scale bar below the drawing; "none" = no bar; default NULL = "units" in the

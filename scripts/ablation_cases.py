@@ -715,6 +715,15 @@ def lines_smooth(kept: Kept) -> Result:
 
 
 @case
+def lines_soft(kept: Kept) -> Result:
+    model, marks = kept.model("heart"), kept.marks("heart", "xray", budget=2000)
+    lines = hrbfnpr.LineSet(model, hrbfnpr.Lines("soft_edge", lower=5.0, upper=10.0, shortest=0.0))
+    drawing = hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, hrbfnpr.Style("silhouette"), line_set=lines), seen(model))
+    return {"heart.soft": drawing.image()[..., :3].copy(), **numbers("heart.set", lines.info),
+            "heart.polylines": repr(drawing.polylines()).encode()}  # fmt: skip
+
+
+@case
 def lines_tori(kept: Kept) -> Result:
     return lines_of(kept, "tori", ["ridge"])
 

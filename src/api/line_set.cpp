@@ -92,15 +92,19 @@ void Requests::add_own(const hrbfnpr_line_desc& desc, const char* name, curves::
     request.first = std::as_const(*firsts_.back()).span();
 }
 
+bool is_found_on_request(std::uint32_t kind) noexcept {
+    return kind == HRBFNPR_LINE_KIND_RIDGE || kind == HRBFNPR_LINE_KIND_VALLEY || kind == HRBFNPR_LINE_KIND_PARABOLIC ||
+           kind == HRBFNPR_LINE_KIND_SECTION || kind == HRBFNPR_LINE_KIND_OWN || kind == HRBFNPR_LINE_KIND_SOFT_EDGE;
+}
+
 void Requests::add(const hrbfnpr_line_desc& desc, const char* name) {
     const Checks checks(name);
     curves::LineRequest request;
     request.kind = static_cast<curves::LineKind>(desc.kind);
-    if (desc.kind == 0 || desc.kind > HRBFNPR_LINE_KIND_CREASE || curves::depends_on_view(request.kind) ||
-        request.kind == curves::LineKind::border || request.kind == curves::LineKind::crease)
+    if (!is_found_on_request(desc.kind))
         fail(Status::invalid_argument,
-             "%s.kind is %u; it must be HRBFNPR_LINE_KIND_RIDGE, _VALLEY, _PARABOLIC, _SECTION or _OWN; other lines "
-             "are found without a request",
+             "%s.kind is %u; it must be HRBFNPR_LINE_KIND_RIDGE, _VALLEY, _PARABOLIC, _SECTION, _OWN or _SOFT_EDGE; "
+             "other lines are found without a request",
              name, desc.kind);
     if (desc.name != nullptr) {
         if (std::strlen(desc.name) >= request.name.size())

@@ -251,16 +251,6 @@ FeatureValue parabolic(const ShapePoint& shape, double unit) noexcept {
 
 constexpr std::int64_t elements_a_task = 4096;
 
-struct FeatureCrossing {
-    std::int32_t a, b; // indices of the vertices, a < b
-    double share;      // the interpolated root on the edge from a to b, in [0, 1]
-    double g_a, g_b;   // g at a and b, relative to the direction at a; the signs differ
-    double strength;   // linearly interpolated along the edge
-    bool counts;       // whether the strength is large enough and the point faces the eye
-    // For directed kinds: the slope of g along the direction, as an area-weighted sum over the triangles on both sides.
-    double slope;
-};
-
 FeatureValue requested_value(const FeatureRequest& request, const ShapePoint& shape, const glm::dvec3& position,
                              double unit) noexcept {
     FeatureValue value = feature_value(request.kind, shape, position, request.towards, unit);
@@ -336,7 +326,7 @@ struct FeatureField {
         const double facing = (1.0 - s) * value[a].facing + s * value[b].facing;
         // At a contour the g of an apparent ridge has a pole and not a root.
         const bool seen = facing >= 0.0 && (!directed || (value[a].facing >= 0.0 && value[b].facing >= 0.0));
-        return {a, b, s, g_a, g_b, strength, strength > 0.0 && strength >= least && seen, 0.0};
+        return {edge, a, b, s, g_a, g_b, strength, strength > 0.0 && strength >= least && seen, 0.0};
     }
     // Returns, as bits, the two edges of the triangle that a line crosses; 0: no line. Around an umbilic a direction
     // may return reversed, so that one or three edges are crossed.
@@ -653,6 +643,13 @@ void add_lines(const Chains<FeatureCrossing>& chains, const base::Array<FeatureP
 
 } // namespace
 
+Chains<FeatureCrossing> find_candidates(const base::Work& work, const SurfaceMesh& mesh,
+                                        const base::Array<FeatureValue>& value, const FeatureRequest& request,
+                                        std::int64_t& weak) {
+    return keep_candidates(find_crossings(work, {mesh, value, is_directed(request.kind), request.lower}), request,
+                           weak);
+}
+
 ShapePoint shape_point(const glm::dvec3& gradient, const std::array<double, 6>& hessian,
                        const std::array<double, 10>& third) noexcept {
     const double slope = glm::length(gradient);
@@ -743,7 +740,6 @@ FeatureValue feature_value(FeatureKind kind, const ShapePoint& shape, const glm:
 FeatureLines find_feature_lines(const base::Work& work, const FeatureSurface& surface, const FeatureRequest& request) {
     FeatureLines lines(work.memory);
     base::Array<FeatureValue> value = vertex_values(work, surface, request);
-    const bool directed = is_directed(request.kind);
     const bool has_levels = !needs_shape(request.kind) || request.kind == FeatureKind::isophote;
     constexpr std::array<double, 1> zero = {0.0};
     const std::span<const double> levels = has_levels ? request.levels : std::span<const double>(zero);
@@ -752,8 +748,7 @@ FeatureLines find_feature_lines(const base::Work& work, const FeatureSurface& su
         work.update(static_cast<double>(k) / static_cast<double>(levels.size()));
         for (FeatureValue& v : value) v.g += before - levels[k];
         before = levels[k];
-        const Chains<FeatureCrossing> chains =
-            keep_candidates(find_crossings(work, {surface.mesh, value, directed, request.lower}), request, lines.weak);
+        const Chains<FeatureCrossing> chains = find_candidates(work, surface.mesh, value, request, lines.weak);
         base::Array<FeaturePoint> points =
             request.kind == FeatureKind::section
                 ? refine_section(work, surface, request.plane, levels[k], chains.point)

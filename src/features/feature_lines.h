@@ -134,6 +134,24 @@ struct FeatureRequest {
     std::int32_t rounds = 6;
 };
 
+// A place where a line crosses an edge of the mesh.
+struct FeatureCrossing {
+    std::int64_t edge; // one of the two half-edges
+    std::int32_t a, b; // indices of the vertices, a < b
+    double share;      // the interpolated root on the edge from a to b, in [0, 1]
+    double g_a, g_b;   // g at a and b, relative to the direction at a; the signs differ
+    double strength;   // linearly interpolated along the edge
+    bool counts;       // whether the strength is large enough and the point faces the eye
+    // For directed kinds: the slope of g along the direction, as an area-weighted sum over the triangles on both sides.
+    double slope;
+};
+
+// Returns the chains of crossings on a mesh that may become lines. `value` has the values at the vertices. Adds the
+// number of parts that are too weak to `weak`.
+[[nodiscard]] Chains<FeatureCrossing> find_candidates(const base::Work& work, const SurfaceMesh& mesh,
+                                                      const base::Array<FeatureValue>& value,
+                                                      const FeatureRequest& request, std::int64_t& weak);
+
 // The surface on which lines are found. The members must outlive every call that gets it.
 struct FeatureSurface {
     const implicit::Implicit& implicit;

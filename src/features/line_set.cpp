@@ -10,6 +10,7 @@
 
 #include "base/assert.h"
 #include "base/clock.h"
+#include "features/soft_edges.h"
 #include "features/tuning.h"
 #include "geometry/point_grid.h"
 #include "implicit/evaluate_all.h"
@@ -359,6 +360,11 @@ SurfaceLines joined_sections(const base::Runtime& runtime, const implicit::Sheet
     return lines.curves.count() > 0 ? join(runtime.memory, lines, side) : SurfaceLines(runtime.memory);
 }
 
+// Returns whether lines of this kind that are found once need the derivatives of f at the vertices of the mesh.
+bool needs_curvatures(LineKind kind) noexcept {
+    return kind != LineKind::own && kind != LineKind::soft_edge && needs_shape(feature_of(kind));
+}
+
 } // namespace
 
 FeatureKind feature_of(LineKind kind) noexcept {
@@ -380,7 +386,8 @@ Thresholds default_thresholds(LineKind kind) noexcept {
     case LineKind::ridge:
     case LineKind::valley: return {6.0, 15.0};
     case LineKind::apparent_ridge: return {12.0, 25.0};
-    case LineKind::crease: return {15.0, 30.0}; // in degrees
+    case LineKind::crease: return {15.0, 30.0};    // in degrees
+    case LineKind::soft_edge: return {15.0, 35.0}; // in degrees
     default: return {0.0, 0.0};
     }
 }
@@ -464,7 +471,7 @@ void LineSet::clip_mesh(const base::Work& work) {
     left_out_ = clipped.left_out;
 }
 
-SurfaceLines LineSet::find(const base::Work& work, const LineRequest& request) const {
+SurfaceLines LineSet::find_lines(const base::Work& work, const LineRequest& request) const {
     if (request.kind == LineKind::own) return own_lines(work, surface_, request, mesh_->side);
     FeatureRequest feature;
     feature.kind = feature_of(request.kind);
@@ -480,6 +487,21 @@ SurfaceLines LineSet::find(const base::Work& work, const LineRequest& request) c
     return joined_sections(work, *sheets, creases_, feature.plane, feature.levels, mesh_->side, found);
 }
 
+void LineSet::find(const base::Work& work, const LineRequest& request) {
+    const auto add = [&](SurfaceLines lines, bool concave) {
+        FoundLines& found = found_.add(work.memory);
+        found.kind = request.kind;
+        found.name = request.name;
+        found.lines = std::move(lines);
+        found.concave = concave;
+    };
+    if (request.kind != LineKind::soft_edge) return add(find_lines(work, request), false);
+    const Thresholds by = thresholds_of(request.kind, request.thresholds);
+    SoftEdges edges = find_soft_edges(work, surface_, *mesh_, {by.lower, by.upper, request.shortest});
+    add(std::move(edges.convex), false);
+    add(std::move(edges.concave), true);
+}
+
 LineSet::LineSet(const base::Work& work, const implicit::Implicit& surface,
                  std::unique_ptr<const implicit::ShapeSource> shape, const LineSetSettings& settings)
     : surface_(surface), source_(std::move(shape)), shaped_(work.memory), border_(work.memory), creases_(work.memory),
@@ -489,15 +511,9 @@ LineSet::LineSet(const base::Work& work, const implicit::Implicit& surface,
     if (domain_ == nullptr && settings.support.limit > 0.0) measure_support(work, settings.support);
     make_mesh(work.part(0.0, 0.4), settings);
     bool with_shape = settings.with_shape;
-    for (const LineRequest& request : settings.lines)
-        with_shape = with_shape || (request.kind != LineKind::own && needs_shape(feature_of(request.kind)));
+    for (const LineRequest& request : settings.lines) with_shape = with_shape || needs_curvatures(request.kind);
     if (with_shape) shaped_ = measured_mesh(work.part(0.4, 0.7), surface_, *source_, *mesh_);
-    for (const LineRequest& request : settings.lines) {
-        FoundLines& found = found_.add(work.memory);
-        found.kind = request.kind;
-        found.name = request.name;
-        found.lines = find(work.part(0.7, 0.7), request);
-    }
+    for (const LineRequest& request : settings.lines) find(work.part(0.7, 0.7), request);
     seconds_ = watch.seconds();
     work.runtime().log(base::LogLevel::info,
                        "lines: %lld triangles of cells of %.3g in %.3f s; %lld face the wrong way, %lld seeds missed",

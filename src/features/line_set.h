@@ -32,9 +32,10 @@ enum class LineKind : std::uint32_t {
     own = 10,
     crease = 11,
     shadow = 12,
-    terminator = 13
+    terminator = 13,
+    soft_edge = 14
 };
-inline constexpr std::uint32_t line_kind_count = 14;
+inline constexpr std::uint32_t line_kind_count = 15;
 // Returns whether lines of this kind are found again for each camera or light.
 [[nodiscard]] constexpr bool depends_on_view(LineKind kind) noexcept {
     return kind == LineKind::contour || kind == LineKind::suggestive_contour || kind == LineKind::apparent_ridge ||
@@ -69,6 +70,12 @@ struct FoundLines {
     LineKind kind = LineKind::ridge;
     std::array<char, 64> name{};
     SurfaceLines lines;
+    bool concave = false; // whether these are the folds among the soft edges
+
+    // Returns whether a style for this side draws the lines. Only soft edges have sides.
+    [[nodiscard]] bool is_on(CreaseSide side) const noexcept {
+        return kind != LineKind::soft_edge || side == CreaseSide::both || (side == CreaseSide::concave) == concave;
+    }
 };
 
 // Where the surface ends because it has no samples.
@@ -133,7 +140,8 @@ private:
     void measure_support(const base::Work& work, const SupportSettings& settings);
     void split_mesh(const base::Work& work);
     void clip_mesh(const base::Work& work);
-    [[nodiscard]] SurfaceLines find(const base::Work& work, const LineRequest& request) const;
+    void find(const base::Work& work, const LineRequest& request);
+    [[nodiscard]] SurfaceLines find_lines(const base::Work& work, const LineRequest& request) const;
 
     std::shared_ptr<const void> identity_ = std::make_shared<char>();
     const implicit::Implicit& surface_;

@@ -37,6 +37,22 @@ struct FeatureTuning {
     // Points of a line that are closer than this count as one, in sides. Larger: fewer points.
     double least_gap = 1e-3;
 
+    // ---- Soft edges
+
+    // The standard deviation of the bell curve over which normals are averaged, in sides, and at least this share of
+    // the diagonal. Larger: smoother and fewer lines, and small edges are lost. Set on bunny, skull, falcon and lion.
+    double blur_sides = 1.4;
+    double blur_diagonals = 0.0042;
+    // The turn of the surface is measured up to this distance on both sides, in blurs. Larger: rounder edges are found,
+    // and edges that are close together are lost.
+    double turn_reach = 2.8;
+    // The strength is averaged along the line up to this distance on both sides, in reaches of the turn. Larger: fewer
+    // gaps, and edges that end softly.
+    double strength_reach = 2.0;
+    // The integral of the strength above `lower` along a line is at least this, in degrees times diagonals. Larger:
+    // only long and strong lines are kept.
+    double least_soft_edge = 1.0;
+
     // ---- The mesh
 
     // An edge is halved if curvatures do not change along the edge as their derivatives predict, and if this may

@@ -213,7 +213,7 @@ namespace {
 
 bool is_found_once(std::uint32_t kind) noexcept {
     return kind == HRBFNPR_LINE_KIND_RIDGE || kind == HRBFNPR_LINE_KIND_VALLEY || kind == HRBFNPR_LINE_KIND_PARABOLIC ||
-           kind == HRBFNPR_LINE_KIND_SECTION;
+           kind == HRBFNPR_LINE_KIND_SECTION || kind == HRBFNPR_LINE_KIND_SOFT_EDGE;
 }
 
 bool wants_kind(const Vector<WantedLine>& wanted, std::uint32_t kind) noexcept {

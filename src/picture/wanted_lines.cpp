@@ -18,7 +18,7 @@ struct LineName {
 };
 
 // The kinds of lines with the names that users write.
-constexpr std::array<LineName, 23> line_names{LineName{"contour", HRBFNPR_LINE_KIND_CONTOUR},
+constexpr std::array<LineName, 26> line_names{LineName{"contour", HRBFNPR_LINE_KIND_CONTOUR},
                                               LineName{"contours", HRBFNPR_LINE_KIND_CONTOUR},
                                               LineName{"suggestive", HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR},
                                               LineName{"suggestive_contour", HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR},
@@ -40,7 +40,10 @@ constexpr std::array<LineName, 23> line_names{LineName{"contour", HRBFNPR_LINE_K
                                               LineName{"shadow", HRBFNPR_LINE_KIND_SHADOW},
                                               LineName{"shadows", HRBFNPR_LINE_KIND_SHADOW},
                                               LineName{"terminator", HRBFNPR_LINE_KIND_TERMINATOR},
-                                              LineName{"terminators", HRBFNPR_LINE_KIND_TERMINATOR}};
+                                              LineName{"terminators", HRBFNPR_LINE_KIND_TERMINATOR},
+                                              LineName{"soft", HRBFNPR_LINE_KIND_SOFT_EDGE},
+                                              LineName{"soft_edge", HRBFNPR_LINE_KIND_SOFT_EDGE},
+                                              LineName{"soft_edges", HRBFNPR_LINE_KIND_SOFT_EDGE}};
 
 constexpr std::array<double, 3> usual_levels{0.25, 0.5, 0.75};
 
@@ -59,7 +62,7 @@ std::uint32_t line_kind_of(std::string_view name) {
         if (is_line_name(one.name, name)) return one.kind;
     fail(Status::invalid_argument,
          "there are no lines '%.*s'; there are contour, suggestive, ridges, valleys, apparent, parabolic, isophotes, "
-         "section, border, crease, shadow, terminator and none",
+         "section, border, crease, shadow, terminator, soft and none",
          shown_length(name), name.data());
 }
 
@@ -183,7 +186,8 @@ float scaled_line_length(float length, double factor) noexcept {
 }
 
 bool wants_finding_once(std::uint32_t kind) noexcept {
-    return kind == HRBFNPR_LINE_KIND_RIDGE || kind == HRBFNPR_LINE_KIND_VALLEY || kind == HRBFNPR_LINE_KIND_PARABOLIC;
+    return kind == HRBFNPR_LINE_KIND_RIDGE || kind == HRBFNPR_LINE_KIND_VALLEY || kind == HRBFNPR_LINE_KIND_PARABOLIC ||
+           kind == HRBFNPR_LINE_KIND_SOFT_EDGE;
 }
 
 } // namespace

@@ -47,8 +47,8 @@ TEST_F(WantedLinesTest, ReadsKindsAndTheirSettings) {
 
 TEST_F(WantedLinesTest, NamesValidChoices) {
     EXPECT_EQ(refusal("contour,hatch"), "there are no lines 'hatch'; there are contour, suggestive, ridges, valleys, "
-                                        "apparent, parabolic, isophotes, section, border, crease, shadow, terminator "
-                                        "and none");
+                                        "apparent, parabolic, isophotes, section, border, crease, shadow, terminator, "
+                                        "soft and none");
     for (const char* const wrong : {"own", "contour,", ",contour", "Contour", "none,contour", "=", "con\xff"})
         EXPECT_NE(refusal(wrong).find("there are no lines"), std::string::npos) << wrong;
     EXPECT_EQ(refusal("section=w:3"), "'section=w:3' is not understood: write section=z:20 or isophotes=0.3:0.6");
@@ -71,6 +71,12 @@ TEST_F(WantedLinesTest, FindsTheLinesThatAStyleNeedsOnce) {
     const auto creases = wanted_lines(call, blueprint, true);
     ASSERT_EQ(creases.size(), 1U);
     EXPECT_EQ(creases[0].kind, std::uint32_t{HRBFNPR_LINE_KIND_CREASE});
+    const auto soft = wanted_lines(call, Style(HRBFNPR_PRESET_ENGRAVING, pool), true);
+    ASSERT_EQ(soft.size(), 1U);
+    EXPECT_EQ(soft[0].kind, std::uint32_t{HRBFNPR_LINE_KIND_SOFT_EDGE});
+    find.desc.lines = "soft-edges";
+    const Call edges = find.call();
+    EXPECT_EQ(wanted_lines(edges, style, true)[0].kind, std::uint32_t{HRBFNPR_LINE_KIND_SOFT_EDGE});
     find.desc.lines = "valleys";
     const Call asked = find.call();
     EXPECT_EQ(wanted_lines(asked, style, true)[0].kind, std::uint32_t{HRBFNPR_LINE_KIND_VALLEY});
@@ -88,17 +94,19 @@ TEST_F(WantedLinesTest, LinesAreSizedByThePen) {
     const Call call = plain.call();
     Style style(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, pool);
     size_lines(call, style, 2.0, true);
-    ASSERT_EQ(style.lines.size(), 3U); // They are the contour, the crease and the border.
+    ASSERT_EQ(style.lines.size(), 4U); // They are the contour, the crease, the soft edge and the border.
+    EXPECT_EQ(style.lines[2].kind, std::uint32_t{HRBFNPR_LINE_KIND_SOFT_EDGE});
+    EXPECT_FLOAT_EQ(style.lines[2].width, 2.2F);
     EXPECT_FLOAT_EQ(style.lines[0].width, 4.4F);
     EXPECT_FLOAT_EQ(style.lines[0].taper, 24.0F);
-    EXPECT_EQ(style.lines[2].kind, std::uint32_t{HRBFNPR_LINE_KIND_BORDER});
-    EXPECT_FLOAT_EQ(style.lines[2].width, 4.4F);
-    EXPECT_EQ(style.lines[2].taper, 0.0F);
+    EXPECT_EQ(style.lines[3].kind, std::uint32_t{HRBFNPR_LINE_KIND_BORDER});
+    EXPECT_FLOAT_EQ(style.lines[3].width, 4.4F);
+    EXPECT_EQ(style.lines[3].taper, 0.0F);
     plain.desc.line_width = 3.0;
     const Call wider = plain.call();
     Style wide(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, pool);
     size_lines(wider, wide, 2.0, false);
-    ASSERT_EQ(wide.lines.size(), 2U);
+    ASSERT_EQ(wide.lines.size(), 3U);
     EXPECT_FLOAT_EQ(wide.lines[0].width, 3.0F);
     EXPECT_FLOAT_EQ(wide.lines[1].width, 1.9090908765792847F);
 }

@@ -362,6 +362,12 @@ namespace HrbfNpr
         /// else shades the place; as Shadow.
         /// </summary>
         Terminator = 13,
+        /// <summary>
+        /// Edges and folds that are round, such as the worn rim of a base; once.  Strength: the angle by which the surface
+        /// turns within a few cells of the line, less the turns beside that, in degrees.  <see cref="LineStyle.Fade"/> makes
+        /// the line narrower and not paler.
+        /// </summary>
+        SoftEdge = 14,
     }
 
     /// <summary>Which creases are drawn.</summary>

@@ -49,7 +49,7 @@ class LineSet(Owner):
     model : Model
         The model whose surface is drawn.
     lines : Lines, kind, or an iterable of these, optional
-        Lines to find once: ridges, valleys, parabolic lines, sections and lines of your own.
+        Lines to find once: ridges, valleys, parabolic lines, sections, soft edges and lines of your own.
     with_curvature : bool
         True: measure curvatures and their derivatives, which suggestive contours, apparent ridges and isophotes need.
     cell_size : float

@@ -333,7 +333,8 @@ void add_style(const base::Work& work, const Scene& scene, const LineSource& sou
         break;
     default:
         for (const curves::FoundLines& found : source.lines().found())
-            if (found.kind == style.kind && (style.name == nullptr || std::strcmp(style.name, found.name.data()) == 0))
+            if (found.kind == style.kind && found.is_on(style.creases) &&
+                (style.name == nullptr || std::strcmp(style.name, found.name.data()) == 0))
                 add_lines(work, source, found.lines, &style, layer, 0, out);
     }
 }

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace hrbfnpr::frame {
 namespace {
@@ -65,6 +66,18 @@ float opacity_at(const DrawnSubject& drawn, const visibility::Piece& piece, floa
     const float full =
         std::clamp((strength_at(drawn, piece, share) - drawn.lower) / (drawn.upper - drawn.lower), 0.0F, 1.0F);
     return 1.0F - drawn.style->fade * (1.0F - full);
+}
+
+// Returns the factor of the width of a soft edge, which vanishes where a contour is near, since the contour shows the
+// edge there.
+float beside_contour(const visibility::Subject& subject, const visibility::Piece& piece, double share,
+                     const glm::dvec3& place) noexcept {
+    const base::Array<curves::CurvePoint>& point = subject.curves->point;
+    const glm::dvec3 normal = glm::normalize(
+        glm::mix(glm::normalize(point[piece.a].gradient), glm::normalize(point[piece.b].gradient), share));
+    const glm::dvec4& eye = subject.view.eye;
+    const double facing = std::abs(glm::dot(normal, glm::normalize(glm::dvec3(eye) - eye.w * place)));
+    return static_cast<float>(glm::smoothstep(line_tuning.soft_edge_ends, line_tuning.soft_edge_begins, facing));
 }
 
 struct DepthRange {
@@ -551,6 +564,9 @@ drawing::StrokePoint point_at(const StrokeInput& in, const DrawnSubject& drawn, 
     point.pixels_per_unit = in.scene.lens.pixels / static_cast<float>(q.w);
     point.opacity = opacity_at(drawn, piece, static_cast<float>(place.share));
     point.radius = factor_at(drawn, piece, static_cast<float>(place.share));
+    // A soft edge fades by getting narrower, as a pen draws it.
+    if (drawn.style->kind == LineKind::soft_edge)
+        point.radius *= std::exchange(point.opacity, 1.0F) * beside_contour(subject, piece, place.share, p);
     return point;
 }
 

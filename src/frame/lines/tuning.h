@@ -80,6 +80,10 @@ struct LineTuning {
     double shortest_step = 0.5;
     // The largest index of a knot of a wobble. A line that passes beside the eye may be immensely long.
     double farthest_knot = 1e15;
+    // A soft edge has no width where |n . v| is below `soft_edge_ends`, and its whole width from `soft_edge_begins` on.
+    // Larger: wider gaps between contours and soft edges. Smaller: double lines along contours.
+    double soft_edge_ends = 0.15;
+    double soft_edge_begins = 0.45;
     // Points for wobbles and fades are made in the window, and up to this many steps outside it.
     double steps_beside = 16.0;
 };
