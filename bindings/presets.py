@@ -107,7 +107,7 @@ def blueprint(kind, width, outline, name=None):
 
 
 # Soft edges of 60 degrees have the whole width, and weaker ones are narrower.
-SOFT = {"taper": 24.0, "shortest": 10.0, "lower": 15.0, "upper": 60.0}
+SOFT = {"taper": 24.0, "lower": 15.0, "upper": 60.0}
 
 
 def with_edges(line, crease, soft):

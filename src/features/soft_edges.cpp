@@ -345,14 +345,13 @@ struct EdgePoint {
     double strength = 0.0;
 };
 
-// Returns the mean of the points within `reach` along the line, and nearer than its ends. Nearer points weigh more.
-EdgePoint mean_around(const base::Array<EdgePoint>& line, std::int64_t i, double reach, bool to_ends) noexcept {
+// Returns the mean of the points within `reach` along the line. Nearer points weigh more.
+EdgePoint mean_around(const base::Array<EdgePoint>& line, std::int64_t i, double reach) noexcept {
     EdgePoint mean;
     double sum = 0.0;
     const double at = line[i].at;
-    if (to_ends) reach = std::min({reach, at - line[0].at, line[line.size() - 1].at - at});
     const auto add = [&](const EdgePoint& p) {
-        const double weight = reach > 0.0 ? 1.0 - std::abs(p.at - at) / reach : 1.0;
+        const double weight = 1.0 - std::abs(p.at - at) / reach;
         mean.place += weight * p.place;
         mean.strength += weight * p.strength;
         sum += weight;
@@ -363,28 +362,49 @@ EdgePoint mean_around(const base::Array<EdgePoint>& line, std::int64_t i, double
     return {mean.place / sum, at, mean.strength / sum};
 }
 
-// Adds the strong parts of a chain, averaged along it.
-void add_parts(const base::Array<EdgePoint>& line, const SoftEdgeRequest& request, double reach, double diagonal,
-               Chains<EdgePoint>& parts) {
-    base::Array<EdgePoint> mean(parts.point.memory());
-    for (std::int64_t i = 0; i < line.size(); ++i) {
-        mean.push_back(mean_around(line, i, reach, true));
-        mean.back().strength = mean_around(line, i, feature_tuning.strength_reach * reach, false).strength;
+// Returns the points of a chain, averaged along it. A closed chain is continued on both sides by copies of itself.
+base::Array<EdgePoint> averaged_chain(const Chains<EdgePoint>& chains, std::int64_t chain, double reach) {
+    base::Array<EdgePoint> line(chains.point.memory()), mean(chains.point.memory());
+    const std::int64_t count = chains.size_of(chain);
+    const int copies = chains.closed[chain] != 0 ? 3 : 1;
+    for (int copy = 0; copy < copies; ++copy)
+        for (std::int64_t i = chains.first[chain]; i < chains.first[chain + 1]; ++i) {
+            EdgePoint p = chains.point[i];
+            if (!line.empty()) {
+                const EdgePoint& last = line[line.size() - 1];
+                p.at = last.at + glm::distance(p.place, last.place);
+            }
+            line.push_back(p);
+        }
+    for (std::int64_t i = copies / 2 * count; i < (copies / 2 + 1) * count; ++i) {
+        mean.push_back(mean_around(line, i, reach));
+        mean.back().strength = mean_around(line, i, feature_tuning.strength_reach * reach).strength;
     }
-    const auto is_strong = [&](std::int64_t i) { return mean[i].strength > request.lower; };
-    for_parts(mean.size(), false, is_strong, [&](std::int64_t begin, std::int64_t end, bool) {
+    return mean;
+}
+
+// Adds the strong parts of a chain.
+void add_parts(const base::Array<EdgePoint>& line, bool closed, const SoftEdgeRequest& request, double diagonal,
+               Chains<EdgePoint>& parts) {
+    const std::int64_t count = line.size();
+    const auto is_strong = [&](std::int64_t i) { return line[i].strength > request.lower; };
+    for_parts(count, closed, is_strong, [&](std::int64_t begin, std::int64_t end, bool whole) {
         double strongest = 0.0;
+        double length = 0.0;
         double sum = 0.0;
         for (std::int64_t i = begin; i < end; ++i) {
-            strongest = std::max(strongest, mean[i].strength);
-            if (i > begin) sum += (mean[i].at - mean[i - 1].at) * (mean[i].strength - request.lower);
+            const EdgePoint& p = line[i % count];
+            strongest = std::max(strongest, p.strength);
+            if (i == begin) continue;
+            const double piece = glm::distance(p.place, line[(i - 1) % count].place);
+            length += piece;
+            sum += piece * (p.strength - request.lower);
         }
-        const double length = mean[end - 1].at - mean[begin].at;
         if (strongest < request.upper || length < request.shortest * diagonal ||
             sum < feature_tuning.least_soft_edge * diagonal)
             return;
-        for (std::int64_t i = begin; i < end; ++i) parts.point.push_back(mean[i]);
-        parts.end(false);
+        for (std::int64_t i = begin; i < end; ++i) parts.point.push_back(line[i % count]);
+        parts.end(whole);
     });
 }
 
@@ -399,7 +419,7 @@ SurfaceLines as_lines(const base::Work& work, const implicit::Implicit& surface,
         for (std::int64_t i = parts.first[c]; i < parts.first[c + 1]; ++i)
             if (on.status[i] == surface::ProjectionStatus::converged)
                 builder.add(on.position[i], glm::normalize(on.gradient[i]), parts.point[i].strength);
-        builder.end(false);
+        builder.end(parts.closed[c] != 0);
     }
     return lines;
 }
@@ -430,17 +450,14 @@ SoftEdges find_soft_edges(const base::Work& work, const implicit::Implicit& surf
         const Chains<FeatureCrossing> chains = find_candidates(work, mesh, value, crest, weak);
         const base::Array<double> strength =
             measure_turns(work.without_progress(), mesh, value, chains.point, concave, reach);
-        Chains<EdgePoint> parts(work.memory);
-        base::Array<EdgePoint> line(work.memory);
+        Chains<EdgePoint> places(work.memory), parts(work.memory);
         for (std::int64_t c = 0; c < chains.count(); ++c) {
-            line.clear();
             for (std::int64_t i = chains.first[c]; i < chains.first[c + 1]; ++i) {
                 const FeatureCrossing& x = chains.point[i];
-                EdgePoint p{glm::mix(mesh.position[x.a], mesh.position[x.b], x.share), 0.0, strength[i]};
-                if (!line.empty()) p.at = line.back().at + glm::distance(p.place, line.back().place);
-                line.push_back(p);
+                places.point.push_back({glm::mix(mesh.position[x.a], mesh.position[x.b], x.share), 0.0, strength[i]});
             }
-            add_parts(line, request, reach, diagonal, parts);
+            places.end(chains.closed[c] != 0);
+            add_parts(averaged_chain(places, c, reach), places.closed[c] != 0, request, diagonal, parts);
         }
         (concave ? found.concave : found.convex) = as_lines(work, surface, parts);
     }

@@ -51,7 +51,7 @@ struct FeatureTuning {
     double strength_reach = 2.0;
     // The integral of the strength above `lower` along a line is at least this, in degrees times diagonals. Larger:
     // only long and strong lines are kept.
-    double least_soft_edge = 1.0;
+    double least_soft_edge = 2.5;
 
     // ---- The mesh
 
