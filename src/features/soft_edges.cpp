@@ -30,30 +30,48 @@ constexpr std::int64_t vertices_a_task = 4096;
 
 // ---- Means over the mesh
 
-// The triangles around each vertex, and the areas of all triangles.
-struct Rings {
-    explicit Rings(base::Memory& memory) : first(memory), triangle(memory), area(memory) {}
-
-    base::Array<std::int32_t> first; // for each vertex, the index of its first element in `triangle`; the end
-    base::Array<std::int32_t> triangle;
-    base::Array<float> area; // twice the area of each triangle, in squares of the unit
+// A triangle at a vertex.
+struct Corner {
+    std::int32_t triangle;
+    std::int32_t next, previous; // the other two corners of the triangle
+    float weight;                // the share of the triangle's area in the area around the vertex
 };
 
-Rings rings_of(const base::Work& work, const SurfaceMesh& mesh, double unit) {
+// The triangles around each vertex. Those of vertex v are corner[first[v]] to corner[first[v + 1] - 1].
+struct Rings {
+    explicit Rings(base::Memory& memory) : first(memory), corner(memory) {}
+
+    base::Array<std::int32_t> first;
+    base::Array<Corner> corner;
+    double edge = 0.0; // the length of an edge if all triangles were equal
+};
+
+Rings rings_of(const base::Work& work, const SurfaceMesh& mesh) {
     Rings rings(work.memory);
     rings.first.resize(mesh.vertices() + 1);
     for (const std::int64_t e : work.over(mesh.corner.size())) ++rings.first[mesh.corner[e] + 1];
     for (std::int64_t v = 0; v < mesh.vertices(); ++v) rings.first[v + 1] += rings.first[v];
     base::Array<std::int32_t> next(work.memory, mesh.vertices());
     std::copy(rings.first.begin(), rings.first.end() - 1, next.begin());
-    rings.triangle.resize_for_overwrite(mesh.corner.size());
-    for (const std::int64_t e : work.over(mesh.corner.size()))
-        rings.triangle[next[mesh.corner[e]]++] = static_cast<std::int32_t>(e / 3);
-    rings.area.resize_for_overwrite(mesh.triangles());
-    work.for_chunks(mesh.triangles(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t t = begin; t < end; ++t) {
-            const auto [a, b, c] = corners_of(mesh, t);
-            rings.area[t] = static_cast<float>(glm::length(glm::cross(b - a, c - a)) / (unit * unit));
+    rings.corner.resize_for_overwrite(mesh.corner.size());
+    double sum = 0.0;
+    for (const std::int64_t t : work.over(mesh.triangles())) {
+        const auto [a, b, c] = corners_of(mesh, t);
+        const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
+        sum += area;
+        for (std::int64_t e = 3 * t; e < 3 * t + 3; ++e) {
+            const std::int64_t after = next_in_triangle(e);
+            rings.corner[next[mesh.corner[e]]++] = {static_cast<std::int32_t>(t), mesh.corner[after],
+                                                    mesh.corner[next_in_triangle(after)], static_cast<float>(area)};
+        }
+    }
+    rings.edge = 2.0 * std::sqrt(sum / (std::sqrt(3.0) * static_cast<double>(mesh.triangles())));
+    work.for_chunks(mesh.vertices(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t v = begin; v < end; ++v) {
+            float area = 0.0F;
+            for (std::int32_t k = rings.first[v]; k < rings.first[v + 1]; ++k) area += rings.corner[k].weight;
+            for (std::int32_t k = rings.first[v]; k < rings.first[v + 1]; ++k)
+                rings.corner[k].weight = area > 0.0F ? rings.corner[k].weight / area : 0.0F;
         }
     });
     return rings;
@@ -61,36 +79,34 @@ Rings rings_of(const base::Work& work, const SurfaceMesh& mesh, double unit) {
 
 // Returns for each vertex the mean of a value over the triangles around it, weighted by their areas.
 template <class T, class OfTriangle>
-base::Array<T> means_at_vertices(const base::Work& work, const Rings& rings, const OfTriangle& of_triangle) {
+base::Array<T> means_at_vertices(const base::Work& work, const SurfaceMesh& mesh, const Rings& rings,
+                                 const OfTriangle& of_triangle) {
     base::Array<T> value(work.memory), mean(work.memory);
-    value.resize_for_overwrite(rings.area.size());
+    value.resize_for_overwrite(mesh.triangles());
     work.for_chunks(value.size(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t t = begin; t < end; ++t) value[t] = of_triangle(t);
     });
-    mean.resize_for_overwrite(rings.first.size() - 1);
+    mean.resize_for_overwrite(mesh.vertices());
     work.for_chunks(mean.size(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t v = begin; v < end; ++v) {
             T sum{};
-            float area = 0.0F;
-            for (std::int32_t k = rings.first[v]; k < rings.first[v + 1]; ++k) {
-                const std::int32_t t = rings.triangle[k];
-                sum += rings.area[t] * value[t];
-                area += rings.area[t];
-            }
-            mean[v] = area > 0.0F ? sum * (1.0F / area) : T{};
+            for (std::int32_t k = rings.first[v]; k < rings.first[v + 1]; ++k)
+                sum += rings.corner[k].weight * value[rings.corner[k].triangle];
+            mean[v] = sum;
         }
     });
     return mean;
 }
 
-// Returns for each vertex the mean of a value over the corners of the triangles around it.
+// Returns the mean of a value over the corners of the triangles around a vertex.
 template <class T>
-base::Array<T> averaged(const base::Work& work, const SurfaceMesh& mesh, const Rings& rings,
-                        const base::Array<T>& value) {
-    return means_at_vertices<T>(work, rings, [&](std::int64_t t) {
-        const std::int32_t* const corner = mesh.corner.data() + 3 * t;
-        return (value[corner[0]] + value[corner[1]] + value[corner[2]]) * (1.0F / 3.0F);
-    });
+T mean_around(const Rings& rings, const base::Array<T>& value, std::int64_t v) noexcept {
+    T sum{};
+    for (std::int32_t k = rings.first[v]; k < rings.first[v + 1]; ++k) {
+        const Corner& c = rings.corner[k];
+        sum += c.weight * (value[c.next] + value[c.previous]);
+    }
+    return (value[v] + sum) * (1.0F / 3.0F);
 }
 
 // ---- Smoothing
@@ -129,42 +145,36 @@ base::Array<double> heat_coefficients(base::Memory& memory, double x) {
 
 // Lets normals and places spread as heat does, so that each is averaged over a bell curve of the standard deviation
 // `blur`. Normals and places are smoothed alike, so that irregular triangles do not appear in their quotients.
-// averaged() is the operator A, whose eigenvalues are from 0 to 1 and whose variance along an axis is a third of the
+// mean_around() is the operator A, whose eigenvalues are from 0 to 1 and whose variance along an axis is a third of the
 // square of an edge. exp(time (A - 1)) is a sum of Chebyshev's polynomials of 2 A - 1, which needs about the square
 // root of as many averages as a power of A.
-base::Array<Vertex> smoothed_mesh(const base::Work& work, const SurfaceMesh& mesh, const Rings& rings, double blur,
-                                  double unit) {
-    double area = 0.0;
-    for (const float a : rings.area) area += static_cast<double>(a);
-    const double edge = unit * std::sqrt(2.0 / std::sqrt(3.0) * area / static_cast<double>(mesh.triangles()));
-    const double time = 3.0 * blur * blur / (edge * edge);
+base::Array<Vertex> smoothed_mesh(const base::Work& work, const SurfaceMesh& mesh, const Rings& rings, double blur) {
+    const double time = 3.0 * blur * blur / (rings.edge * rings.edge);
     const base::Array<double> coefficient = heat_coefficients(work.memory, 0.5 * time);
     const glm::dvec3 middle = 0.5 * (mesh.region.min + mesh.region.max);
     base::Array<Vertex> last(work.memory), now(work.memory), sum(work.memory);
+    for (base::Array<Vertex>* const array : {&last, &now, &sum}) array->resize_for_overwrite(mesh.vertices());
     const auto for_vertices = [&](const auto& f) {
         work.for_chunks(mesh.vertices(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t v = begin; v < end; ++v) f(v);
         });
     };
-    last.resize_for_overwrite(mesh.vertices());
-    sum.resize_for_overwrite(mesh.vertices());
+    // T_0 = 1 and T_1 = y, where y = 2 A - 1.
     for_vertices([&](std::int64_t v) {
-        last[v] = {glm::vec3(glm::normalize(mesh.gradient[v])), glm::vec3((mesh.position[v] - middle) / unit)};
+        last[v] = {glm::vec3(glm::normalize(mesh.gradient[v])), glm::vec3((mesh.position[v] - middle) / blur)};
     });
-    for (std::int64_t k = 1; k < coefficient.size(); ++k) {
+    for_vertices([&](std::int64_t v) {
+        now[v] = 2.0F * mean_around(rings, last, v) + -1.0F * last[v];
+        sum[v] = static_cast<float>(coefficient[0]) * last[v] + static_cast<float>(coefficient[1]) * now[v];
+    });
+    for (std::int64_t k = 2; k < coefficient.size(); ++k) {
         work.update(static_cast<double>(k) / static_cast<double>(coefficient.size()));
-        const base::Array<Vertex>& before = k == 1 ? last : now;
-        base::Array<Vertex> next = averaged(work, mesh, rings, before);
-        const auto c = static_cast<float>(coefficient[k]);
-        const auto c0 = static_cast<float>(coefficient[0]);
-        for_vertices([&](std::int64_t v) {
-            // T_1 = y; T_(k + 1) = 2 y T_k - T_(k - 1), where y = 2 A - 1.
-            const Vertex stepped = 2.0F * next[v] + -1.0F * before[v];
-            next[v] = k == 1 ? stepped : 2.0F * stepped + -1.0F * last[v];
-            sum[v] = (k == 1 ? c0 * last[v] : sum[v]) + c * next[v];
+        const auto factor = static_cast<float>(coefficient[k]);
+        for_vertices([&](std::int64_t v) { // T_k = 2 y T_(k - 1) - T_(k - 2)
+            last[v] = 4.0F * mean_around(rings, now, v) + -2.0F * now[v] + -1.0F * last[v];
+            sum[v] += factor * last[v];
         });
-        if (k > 1) last = std::move(now);
-        now = std::move(next);
+        std::swap(last, now);
     }
     return sum;
 }
@@ -200,14 +210,13 @@ base::Array<Bend> bends_of(const base::Work& work, const SurfaceMesh& mesh, cons
             change += glm::outerProduct(glm::normalize(vertex[corner[k]].normal), gradient[k]);
         return change;
     };
-    const base::Array<glm::mat3> change =
-        averaged(work, mesh, rings, means_at_vertices<glm::mat3>(work, rings, change_of_normal));
+    const base::Array<glm::mat3> change = means_at_vertices<glm::mat3>(work, mesh, rings, change_of_normal);
     base::Array<Bend> bend(work.memory);
     bend.resize_for_overwrite(mesh.vertices());
     work.for_chunks(mesh.vertices(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t v = begin; v < end; ++v) {
             const glm::dvec3 normal = glm::normalize(glm::dvec3(vertex[v].normal));
-            const glm::dmat3 m(change[v]);
+            const glm::dmat3 m(mean_around(rings, change, v));
             const geometry::TangentFrame frame = geometry::combing_frame(normal);
             const surface::Eigen2 eigen =
                 surface::symmetric_eigen2(-glm::dot(frame.r, m * frame.r),
@@ -225,7 +234,7 @@ base::Array<Bend> bends_of(const base::Work& work, const SurfaceMesh& mesh, cons
 base::Array<FeatureValue> crest_values(const base::Work& work, const SurfaceMesh& mesh, const Rings& rings,
                                        const base::Array<Vertex>& vertex, const base::Array<Bend>& bend, bool concave) {
     const auto across = [&](std::int64_t v) { return concave ? bend[v].k1 : -bend[v].k2; };
-    const base::Array<glm::vec3> slope = means_at_vertices<glm::vec3>(work, rings, [&](std::int64_t t) {
+    const base::Array<glm::vec3> slope = means_at_vertices<glm::vec3>(work, mesh, rings, [&](std::int64_t t) {
         const std::int32_t* const corner = mesh.corner.data() + 3 * t;
         const std::array<glm::vec3, 3> gradient = barycentric_gradients(vertex, corner);
         return across(corner[0]) * gradient[0] + across(corner[1]) * gradient[1] + across(corner[2]) * gradient[2];
@@ -314,23 +323,28 @@ Turns turns_along(const SurfaceMesh& mesh, std::int64_t edge, double share, glm:
     return turns;
 }
 
-// Returns the strength at each crossing, in degrees.
+// Returns the strength at each crossing, in degrees. One crossing of several is measured, and its neighbours get
+// the same strength, since crossings are much closer together than the reach.
 base::Array<double> measure_turns(const base::Work& work, const SurfaceMesh& mesh,
-                                  const base::Array<FeatureValue>& value, const base::Array<FeatureCrossing>& crossing,
+                                  const base::Array<FeatureValue>& value, const Chains<FeatureCrossing>& chains,
                                   bool concave, double reach) {
     base::Array<double> strength(work.memory);
-    strength.resize_for_overwrite(crossing.size());
-    work.for_chunks(crossing.size(), 64, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) {
-            const FeatureCrossing& c = crossing[i];
-            const glm::dvec3& a = value[c.a].along;
-            const glm::dvec3& b = value[c.b].along;
-            const glm::dvec3 way = glm::normalize(glm::dot(a, b) < 0.0 ? a - b : a + b);
-            const double share = start_of(mesh, c.edge) == c.a ? c.share : 1.0 - c.share;
-            const Turns left = turns_along(mesh, c.edge, share, way, reach);
-            const Turns right = turns_along(mesh, c.edge, share, -way, reach);
-            const double turn = (concave ? -1.0 : 1.0) * (left.near + right.near);
-            strength[i] = (turn - std::abs(left.far) - std::abs(right.far)) * 180.0 / std::numbers::pi;
+    strength.resize_for_overwrite(chains.point.size());
+    const auto strength_at = [&](const FeatureCrossing& c) {
+        const glm::dvec3& a = value[c.a].along;
+        const glm::dvec3& b = value[c.b].along;
+        const glm::dvec3 way = glm::normalize(glm::dot(a, b) < 0.0 ? a - b : a + b);
+        const double share = start_of(mesh, c.edge) == c.a ? c.share : 1.0 - c.share;
+        const Turns left = turns_along(mesh, c.edge, share, way, reach);
+        const Turns right = turns_along(mesh, c.edge, share, -way, reach);
+        const double turn = (concave ? -1.0 : 1.0) * (left.near + right.near);
+        return (turn - std::abs(left.far) - std::abs(right.far)) * 180.0 / std::numbers::pi;
+    };
+    work.for_each(chains.count(), [&](std::int64_t c) {
+        for (std::int64_t begin = chains.first[c]; begin < chains.first[c + 1];) {
+            const std::int64_t end = std::min(begin + feature_tuning.crossings_a_turn, chains.first[c + 1]);
+            std::fill(strength.begin() + begin, strength.begin() + end, strength_at(chains.point[(begin + end) / 2]));
+            begin = end;
         }
     });
     return strength;
@@ -346,7 +360,7 @@ struct EdgePoint {
 };
 
 // Returns the mean of the points within `reach` along the line. Nearer points weigh more.
-EdgePoint mean_around(const base::Array<EdgePoint>& line, std::int64_t i, double reach) noexcept {
+EdgePoint mean_along(const base::Array<EdgePoint>& line, std::int64_t i, double reach) noexcept {
     EdgePoint mean;
     double sum = 0.0;
     const double at = line[i].at;
@@ -377,8 +391,8 @@ base::Array<EdgePoint> averaged_chain(const Chains<EdgePoint>& chains, std::int6
             line.push_back(p);
         }
     for (std::int64_t i = copies / 2 * count; i < (copies / 2 + 1) * count; ++i) {
-        mean.push_back(mean_around(line, i, reach));
-        mean.back().strength = mean_around(line, i, feature_tuning.strength_reach * reach).strength;
+        mean.push_back(mean_along(line, i, reach));
+        mean.back().strength = mean_along(line, i, feature_tuning.strength_reach * reach).strength;
     }
     return mean;
 }
@@ -433,8 +447,8 @@ SoftEdges find_soft_edges(const base::Work& work, const implicit::Implicit& surf
     const double diagonal = surface.diagonal();
     const double blur = std::max(feature_tuning.blur_sides * mesh.side, feature_tuning.blur_diagonals * diagonal);
     const double reach = feature_tuning.turn_reach * blur;
-    const Rings rings = rings_of(work, mesh, blur);
-    const base::Array<Vertex> vertex = smoothed_mesh(work.part(0.0, 0.5), mesh, rings, blur, blur);
+    const Rings rings = rings_of(work, mesh);
+    const base::Array<Vertex> vertex = smoothed_mesh(work.part(0.0, 0.5), mesh, rings, blur);
     const base::Array<Bend> bend = bends_of(work, mesh, rings, vertex);
     for (const bool concave : {false, true}) {
         work.update(concave ? 0.8 : 0.6);
@@ -449,7 +463,7 @@ SoftEdges find_soft_edges(const base::Work& work, const implicit::Implicit& surf
         std::int64_t weak = 0;
         const Chains<FeatureCrossing> chains = find_candidates(work, mesh, value, crest, weak);
         const base::Array<double> strength =
-            measure_turns(work.without_progress(), mesh, value, chains.point, concave, reach);
+            measure_turns(work.without_progress(), mesh, value, chains, concave, reach);
         Chains<EdgePoint> places(work.memory), parts(work.memory);
         for (std::int64_t c = 0; c < chains.count(); ++c) {
             for (std::int64_t i = chains.first[c]; i < chains.first[c + 1]; ++i) {

@@ -46,6 +46,8 @@ struct FeatureTuning {
     // The turn of the surface is measured up to this distance on both sides, in blurs. Larger: rounder edges are found,
     // and edges that are close together are lost.
     double turn_reach = 2.8;
+    // One of this many crossings of a line and the mesh is measured. Larger: less time, less exact strengths.
+    std::int64_t crossings_a_turn = 4;
     // The strength is averaged along the line up to this distance on both sides, in reaches of the turn. Larger: fewer
     // gaps, and edges that end softly.
     double strength_reach = 2.0;
