@@ -145,3 +145,54 @@ def test_styles_of_lines_only_place_few_marks(tmp_path, capsys):
     # Saved marks are many, because they may be drawn in another style.
     assert main([*draw, "--save-points", str(tmp_path / "ring.points")]) == 0
     assert len(hrbfnpr.PointSet.load(tmp_path / "ring.points")) > 20000
+
+
+@pytest.fixture(scope="module")
+def cushion():
+    """A fit to the superellipsoid x^8 + y^8 + z^8 = 1: a cube of width 2 with round edges."""
+    grid = np.linspace(-0.97, 0.97, 13)
+    u, v = (side.ravel() for side in np.meshgrid(grid, grid))
+    faces = [np.roll(np.stack([u, v, np.full_like(u, sign)], axis=1), axis, axis=1) for axis in range(3) for sign in (-1, 1)]
+    points = np.concatenate(faces)
+    points /= (points**8).sum(axis=1, keepdims=True) ** (1 / 8)
+    return hrbfnpr.Model.fit(points, points**7)
+
+
+def soft_edges(cushion, **fields):
+    """The strokes of soft edges in a view of three faces."""
+    lines = hrbfnpr.LineSet(cushion, "soft_edge")
+    style = hrbfnpr.Style("silhouette")
+    style.lines = [hrbfnpr.LineStyle("soft_edge", width=4, taper=0, **fields)]
+    camera = hrbfnpr.Camera.fit(cushion, (1, 1.2, 0.9), (0, 0, 1), size=(400, 400))
+    return hrbfnpr.Renderer().draw(hrbfnpr.Item(cushion.generate(budget=200), style, line_set=lines), camera).polylines()
+
+
+def test_soft_edges_are_the_round_edges_of_a_cube(cushion):
+    strokes = soft_edges(cushion)
+    places = np.abs(np.concatenate([stroke["position"] for stroke in strokes]))
+    assert np.sort(places, axis=1)[:, 1].min() > 0.85  # two coordinates are large on an edge
+    wide = [np.concatenate([stroke["position"] for stroke in strokes])[:, axis] for axis in range(3)]
+    assert all(side.max() - side.min() > 1.0 for side in wide)
+    assert [] == soft_edges(cushion, creases="concave")
+    assert len(soft_edges(cushion, creases="convex")) == len(strokes)
+
+
+def test_weak_soft_edges_are_narrow_and_not_pale(cushion):
+    def widest(strokes):
+        return max(stroke["radius"].max() for stroke in strokes)
+
+    full = soft_edges(cushion, lower=1, upper=2)
+    weak = soft_edges(cushion, lower=1, upper=200)
+    assert widest(full) == pytest.approx(2.0, abs=0.05)
+    assert 0.2 < widest(weak) < 1.2
+    assert all((stroke["color"][:, 3] == 255).all() for stroke in weak)
+    assert widest(soft_edges(cushion, lower=1, upper=200, fade=0)) == pytest.approx(2.0, abs=0.05)
+
+
+def test_soft_edges_vanish_beside_contours(cushion):
+    towards = np.array([1, 1.2, 0.9])
+    for stroke in soft_edges(cushion, lower=1, upper=2):
+        normal = stroke["position"] ** 7
+        facing = np.abs(normal @ towards) / np.linalg.norm(normal, axis=1) / np.linalg.norm(towards)
+        assert stroke["radius"][facing > 0.75].min(initial=2.0) > 1.8
+        assert stroke["radius"][facing < 0.1].max(initial=0.0) < 0.3
