@@ -448,6 +448,7 @@ SoftEdges find_soft_edges(const base::Work& work, const implicit::Implicit& surf
     const double blur = std::max(feature_tuning.blur_sides * mesh.side, feature_tuning.blur_diagonals * diagonal);
     const double reach = feature_tuning.turn_reach * blur;
     const Rings rings = rings_of(work, mesh);
+    if (!(rings.edge > 0.0)) return found;
     const base::Array<Vertex> vertex = smoothed_mesh(work.part(0.0, 0.5), mesh, rings, blur);
     const base::Array<Bend> bend = bends_of(work, mesh, rings, vertex);
     for (const bool concave : {false, true}) {
