@@ -2286,8 +2286,10 @@ typedef struct hrbfnpr_line_style {
                                side: on the outline of all items that have lines; 0 .. 16; default 1.  Beyond the ends
                                of the outline it changes to 1 over 6 widths.  All factors that apply to a place are
                                multiplied */
-    float far_factor;       /* factor of the width at the farthest place of all lines in the viewport, hidden ones too;
-                               0 .. 16; default 1.  It is 1 at the nearest place, and changes evenly with depth */
+    float far_factor;       /* factor of the width at the farthest place of the surfaces of all items that have lines,
+                               in the viewport; 0 .. 16; default 1.  It is 1 at the nearest place, and changes evenly
+                               with depth.  If the surfaces reach less deep than half of their extent across the line
+                               of sight, it changes as if they reached so deep */
     float lit_factor;       /* factor of the width where the surface faces the style's light, whatever its tone;
                                0 .. 16; default 1.  It is 1 where the surface faces away, and changes evenly with
                                n . l */

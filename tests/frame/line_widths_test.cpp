@@ -89,17 +89,44 @@ TEST_F(LineWidths, AreConstantWithoutLaws) {
     expect_radius(0, 2.0, 0.0);
 }
 
-// The three contours are the nearest, the farthest, and one at a quarter of the depth range.
+// The surfaces of the balls lie between the depths -2.2 and 2.2, and their contours are in the middle of each ball.
 TEST_F(LineWidths, FollowTheDepth) {
     style[0].far_factor = 0.25F;
+    const auto radius = [](double share) { return 2.0 * (1.0 - 0.75 * share); };
     draw({item_of(&ball_lines, moved({-0.7, 0.0, 2.0}, 0.2)), item_of(&ball_lines, moved({0.0, 0.0, 1.0}, 0.2)),
           item_of(&ball_lines, moved({0.7, 0.0, -2.0}, 0.2))});
-    expect_radius(0, 2.0);
-    expect_radius(1, 2.0 * (1.0 - 0.25 * 0.75));
-    expect_radius(2, 2.0 * 0.25);
+    expect_radius(0, radius(0.2 / 4.4), 2e-3);
+    expect_radius(1, radius(1.2 / 4.4), 2e-3);
+    expect_radius(2, radius(4.2 / 4.4), 2e-3);
     draw({item_of(&ball_lines, moved({-0.7, 0.0, 2.0}, 0.2)), item_of(&ball_lines, moved({0.0, 0.0, 1.0}, 0.2)),
           item_of(&ball_lines, moved({30.0, 0.0, -2.0}, 0.2))}); // outside of the window
-    expect_radius(1, 2.0 * 0.25);
+    expect_radius(1, radius(1.2 / 1.4), 2e-3);
+}
+
+// The balls reach 0.9 to each side, so the range of depths is at least 0.9.
+TEST_F(LineWidths, HardlyFollowTheDepthOfFlatScenes) {
+    style[0].far_factor = 0.25F;
+    draw({item_of(&ball_lines, moved({-0.7, 0.0, 0.1}, 0.2)), item_of(&ball_lines, moved({0.7, 0.0, -0.1}, 0.2))});
+    expect_radius(0, 2.0 * (1.0 - 0.75 * 0.2 / 0.9), 5e-3);
+    expect_radius(1, 2.0 * (1.0 - 0.75 * 0.4 / 0.9), 5e-3);
+}
+
+// A farther ball comes into the window in steps of two pixels.
+TEST_F(LineWidths, ChangeSmoothlyWithDepthsThatComeIntoView) {
+    style[0].far_factor = 0.25F;
+    float last = 0.0F;
+    float first = 0.0F;
+    for (int step = 0; step < 80; ++step) {
+        draw({item_of(&ball_lines, moved({-0.5, 0.0, 1.0}, 0.3)),
+              item_of(&ball_lines, moved({1.6 - 0.01 * step, 0.0, -2.0}, 0.3))});
+        const float radius = radii_of(0)[0];
+        if (step == 0) first = radius;
+        if (step > 0) {
+            EXPECT_NEAR(radius, last, 0.2F) << step;
+        }
+        last = radius;
+    }
+    EXPECT_GT(last, first + 0.5F);
 }
 
 TEST_F(LineWidths, FollowTheLight) {

@@ -96,7 +96,7 @@ namespace HrbfNpr
         public float OutlineFactor { get; set; }
 
         /// <summary>
-        /// Factor of the width at the farthest place of all lines in the viewport; 0 to 16; default 1.  It is 1 at the
+        /// Factor of the width at the farthest place of the surfaces in the viewport; 0 to 16; default 1.  It is 1 at the
         /// nearest place, and changes evenly with depth.
         /// </summary>
         public float FarFactor { get; set; }

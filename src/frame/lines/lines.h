@@ -65,6 +65,19 @@ struct LineInput {
     [[nodiscard]] double total(std::int64_t l) const noexcept { return lengths.total(line(l)); }
 };
 
+// The depths between which `far_factor` changes the widths of lines.
+struct DepthRange {
+    double nearest = 0.0;
+    double length = 0.0; // 0: widths do not change
+
+    // Returns 0 at the nearest depth, 1 at the farthest, and a number between them elsewhere.
+    [[nodiscard]] double share(double depth) const noexcept;
+};
+
+// Returns the range of depths of the surfaces in the window. It changes smoothly with the camera. It is longer than
+// that of surfaces that are flat and seen from above, so that small differences of depth do not look large.
+[[nodiscard]] DepthRange find_depth_range(const LineInput& in);
+
 // Adds the strokes of all lines. Throws Error{callback, out_of_memory}.
 void add_strokes(const LineInput& in, const drawing::Drawing& drawing, const base::Progress& progress,
                  LineStrokes& strokes);

@@ -80,11 +80,6 @@ float beside_contour(const visibility::Subject& subject, const visibility::Piece
     return static_cast<float>(glm::smoothstep(line_tuning.soft_edge_ends, line_tuning.soft_edge_begins, facing));
 }
 
-struct DepthRange {
-    double nearest = std::numeric_limits<double>::infinity();
-    double farthest = -std::numeric_limits<double>::infinity();
-};
-
 // Returns a factor that changes linearly from 1, for the share 0, to `factor`, for the share 1.
 double scaled_factor(float factor, double share) noexcept {
     return glm::mix(1.0, static_cast<double>(factor), std::clamp(share, 0.0, 1.0));
@@ -104,31 +99,9 @@ bool has_outline_factor(const DrawnSubject& drawn) noexcept {
            (drawn.style->kind == LineKind::contour || drawn.style->kind == LineKind::border);
 }
 
-// Returns the range of depths of the drawn lines' points in the window.
-DepthRange depth_range(const LineInput& in) {
-    DepthRange range;
-    const glm::dvec4 window(in.scene.lens.viewport);
-    for (std::int64_t s = 0; s < in.found.subjects.size(); ++s) {
-        const visibility::Subject& subject = in.found.subjects[s];
-        if (std::none_of(in.traced.styles.begin(), in.traced.styles.end(),
-                         [&](const DrawnSubject& drawn) { return drawn.subject == s; }))
-            continue;
-        const glm::dmat4 to_eye = in.scene.camera.view * subject.to_world;
-        for (const curves::CurvePoint& p : subject.curves->point) {
-            const curves::View::Seen seen = subject.view.see(p.position);
-            const glm::dvec2 at = seen.place - glm::dvec2(window.x, window.y);
-            if (!(seen.w > 0.0 && at.x >= 0.0 && at.y >= 0.0 && at.x <= window.z && at.y <= window.w)) continue;
-            const double depth = -(to_eye * glm::dvec4(p.position, 1.0)).z;
-            range = {std::min(range.nearest, depth), std::max(range.farthest, depth)};
-        }
-    }
-    return range;
-}
-
 base::Array<float> point_factors(const LineInput& in, const ItemView& item, const DrawnSubject& drawn,
                                  const visibility::Subject& subject, const DepthRange& depths) {
     const glm::dmat4 to_eye = in.scene.camera.view * subject.to_world;
-    const double range = depths.farthest - depths.nearest;
     const base::Array<curves::CurvePoint>& points = subject.curves->point;
     base::Array<float> factors(in.runtime.memory, points.size());
     for (std::int64_t i = 0; i < points.size(); ++i) {
@@ -137,8 +110,7 @@ base::Array<float> point_factors(const LineInput& in, const ItemView& item, cons
         const float n_dot_l = facing(item.lighting, place, glm::vec3(glm::normalize(points[i].gradient)));
         const double facing =
             std::isfinite(n_dot_l) ? static_cast<double>(n_dot_l) : 0.0; // n . l is NaN if f is constant there.
-        const double far = range > 0.0 ? (depth - depths.nearest) / range : 0.0;
-        factors[i] = static_cast<float>(scaled_factor(drawn.style->far_factor, far) *
+        factors[i] = static_cast<float>(scaled_factor(drawn.style->far_factor, depths.share(depth)) *
                                         scaled_factor(drawn.style->lit_factor, 0.5 + 0.5 * facing));
     }
     return factors;
@@ -233,7 +205,7 @@ visibility::Outline find_widths(const LineInput& in, const drawing::Drawing& dra
     base::Array<DrawnSubject>& styles = in.traced.styles;
     const auto is_by_depth = [](const DrawnSubject& drawn) { return drawn.style->far_factor != 1.0F; };
     const bool by_depth = std::any_of(styles.begin(), styles.end(), is_by_depth);
-    const DepthRange depths = by_depth ? depth_range(in) : DepthRange();
+    const DepthRange depths = by_depth ? find_depth_range(in) : DepthRange();
     base::Array<std::uint8_t> wanted(in.runtime.memory, in.found.subjects.size());
     for (DrawnSubject& drawn : styles) {
         HRBFNPR_ASSERT(drawn.subject >= 0 && drawn.subject < wanted.size());

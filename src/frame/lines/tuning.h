@@ -63,6 +63,15 @@ struct LineTuning {
 
     // ---- Widths and places along a line
 
+    // Depths are measured at up to about twice this many vertices of the surfaces. Larger: more time, and steadier
+    // widths if only a small part of a surface is in the window.
+    std::int64_t most_depths = 32768;
+    // A place less than this share of the window from the window's border counts less for the range of depths. Larger:
+    // widths change more slowly if a surface enters the window.
+    double depth_margin = 0.05;
+    // The range of depths is at least this share of the surfaces' extent across the line of sight. Larger: flat
+    // surfaces that are seen from above have more even widths.
+    double flat_depth = 0.5;
     // Beyond the ends of the outline, its width changes to that of other lines over this many widths. Larger: softer.
     double fade_widths = 6.0;
     // The number of points of a line along a change of width at an end of the outline, and between two knots of a
