@@ -80,8 +80,8 @@ GROUPS = {
                "from the style)"),  # fmt: skip
         number("outline", "style.lines.outline_factor", "X", "factor of the width of lines with nothing beside them, "
                "the outline (default: 1.5 in silhouette and xray, else 1)", "outline_factor"),  # fmt: skip
-        number("far_lines", "style.lines.far_factor", "X", "factor of the width of the farthest lines (default: 1)",
-               "far_factor"),  # fmt: skip
+        number("far_lines", "style.lines.far_factor", "X", "factor of the width of the farthest lines (default: 0.45 in "
+               "silhouette, woodcut and sketch, else 1)", "far_factor"),  # fmt: skip
         number("lit_lines", "style.lines.lit_factor", "X", "factor of the width of lines on the side towards the light "
                "(default: 1)", "lit_factor"),  # fmt: skip
         number("sharp_lines", "style.lines.curvature_factor", "X", "factor of the width of lines where the surface "

@@ -87,6 +87,9 @@ def pencilled(begin, end, coverage, seed, name=None):
 
 # ---- How lines are drawn, for items with a line set
 
+# Nearer lines are heavier: the farthest ones have this share of the width of the nearest ones.
+FAR = 0.45
+
 def contour(width, **fields):
     return {"kind": "contour", "width": width, **fields}
 
@@ -97,8 +100,8 @@ def with_creases(line, width):
 
 
 def pencil(width, wobble, seed, **fields):
-    return contour(width, cap="pointed", taper=30.0, lit_factor=0.6, wobble=wobble, wobble_width=0.35, wobble_length=60.0,
-                   wobble_seed=seed, ink=GRAPHITE, **fields)
+    return contour(width, cap="pointed", taper=30.0, lit_factor=0.6, far_factor=FAR, wobble=wobble, wobble_width=0.35,
+                   wobble_length=46.0, wobble_seed=seed, ink=GRAPHITE, **fields)
 
 
 def blueprint(kind, width, outline, name=None):
@@ -167,7 +170,7 @@ PRESETS = [
         marks=[STIPPLES],
         layers=[hidden("any")],
         # In a drawing of lines only, the outline is heavier.
-        lines=with_edges(contour(2.2, hidden="attenuated", outline_factor=1.5), 1.4, 1.2),
+        lines=with_edges(contour(2.8, hidden="attenuated", outline_factor=1.5, far_factor=FAR), 1.8, 1.5),
         style={"silhouette_radius": 1.2, **PALE},
     ),
     Preset(
@@ -226,7 +229,7 @@ PRESETS = [
         marks=[STIPPLES, hatching()],
         layers=[swelling(0.22, 0.75, 1.0, hatch_spacing=5.0, hatch_pen=0.9, hatch_white=0.0, hatch_taper=20.0,
                          hatch_shortest=12.0), hidden("any")],
-        lines=with_edges(contour(3.6, outline_factor=1.5), 2.4, 1.8),
+        lines=with_edges(contour(4.6, outline_factor=1.5, far_factor=FAR), 3.0, 2.2),
         style={"silhouette_radius": 1.2, "hidden_lines": "hide", "occlusion_lights": OCCLUSION},
     ),
     Preset(
@@ -245,8 +248,8 @@ PRESETS = [
         marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(40.0, "hatch-2")],
         layers=[pencilled(0.20, 0.70, 0.26, 1, "hatch-1"), pencilled(0.50, 0.92, 0.28, 2, "hatch-2"),
                 pencilled(0.20, 0.92, 0.28, 3), hidden("any", ink=GRAPHITE)],
-        lines=[pencil(1.7, 0.9, 1), pencil(1.1, 3.2, 2), {**pencil(1.2, 0.9, 3), "kind": "crease"},
-               {**pencil(0.9, 0.9, 4), "kind": "soft_edge", **SOFT}],
+        lines=[pencil(2.2, 0.7, 1), pencil(1.4, 2.5, 2), {**pencil(1.6, 0.7, 3), "kind": "crease"},
+               {**pencil(1.1, 0.7, 4), "kind": "soft_edge", **SOFT}],
         style={"silhouette_radius": 1.2, "silhouette_ink": GRAPHITE, "hidden_lines": "hide", "paper": WARM_PAPER,
                "halo_width": 0.0},
     ),
