@@ -10,7 +10,7 @@
 // 4. number_lines gives lines the numbers that they had in the last frame. Points of each line vote for the line of the
 //    last frame that has the nearest point with the same direction (count_votes). Pairs of lines with the most votes
 //    are matched first.
-// 5. add_strokes makes the strokes.
+// 5. add_strokes makes the strokes, and thin_lines_beside_others thins some of them.
 #include "frame/lines/line_frame.h"
 
 #include "base/assert.h"
@@ -560,7 +560,9 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     const visibility::LineLengths lengths(runtime_.memory, found.lines);
     const LineNumbers numbers = number_lines(runtime_.memory, found.subjects, traced.occluders, found.lines, known_);
     progress.update(hidden_end);
-    add_strokes({runtime_, scene, traced, found, lengths, numbers}, drawing, progress.part(hidden_end, 1.0), strokes_);
+    const LineInput input{runtime_, scene, traced, found, lengths, numbers};
+    add_strokes(input, drawing, progress.part(hidden_end, 1.0), strokes_);
+    thin_lines_beside_others(input, drawing.layers.span(), strokes_);
     contours_ = std::move(traced.contours);
     progress.update(1.0);
     drawing.line_counts.nanoseconds = watch.nanoseconds();

@@ -78,6 +78,20 @@ struct DepthRange {
 // that of surfaces that are flat and seen from above, so that small differences of depth do not look large.
 [[nodiscard]] DepthRange find_depth_range(const LineInput& in);
 
+// A range on the way from one place to the next, as shares of the way. It is empty if low > high.
+struct ShareRange {
+    double low, high;
+};
+
+// Returns the range of a chord that is in the window, or at most `beside` pixels outside. The window has the corner x,
+// y and the size z, w.
+[[nodiscard]] ShareRange chord_in_window(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec4& window,
+                                         double beside) noexcept;
+
+// Thins lines that run beside weightier lines, nearer than about a pen, and removes the parts of them without width.
+// `layers` are those of the drawing.
+void thin_lines_beside_others(const LineInput& in, std::span<const drawing::Layer> layers, LineStrokes& strokes);
+
 // Adds the strokes of all lines. Throws Error{callback, out_of_memory}.
 void add_strokes(const LineInput& in, const drawing::Drawing& drawing, const base::Progress& progress,
                  LineStrokes& strokes);

@@ -47,11 +47,6 @@ struct PartPath {
     base::Array<double> knot; // further points between the places, as rising distances along the line, in pixels
 };
 
-// A range on the way from one place to the next, as shares of the way. It is empty if low > high.
-struct ShareRange {
-    double low, high;
-};
-
 double length_of(const visibility::Interval& i) noexcept { return i.end_at - i.begin_at; }
 
 // ---- Widths
@@ -564,22 +559,7 @@ drawing::StrokePoint point_between(const StrokeInput& in, const PartPath& path, 
 // Returns the range of shares of the chord between two consecutive places that is in the window, or at most `beside`
 // pixels outside.
 ShareRange in_window(const StrokeInput& in, const StrokePlace& from, const StrokePlace& to, double beside) {
-    const glm::dvec2 a = seen_at(in, from);
-    const glm::dvec2 b = seen_at(in, to);
-    const glm::dvec4 window(in.scene.lens.viewport);
-    ShareRange shares{0.0, 1.0};
-    for (const int axis : {0, 1}) {
-        const double way = b[axis] - a[axis];
-        const double low = window[axis] - beside;
-        const double high = window[axis] + window[axis + 2] + beside;
-        if (way != 0.0) {
-            shares.low = std::max(shares.low, ((way < 0.0 ? high : low) - a[axis]) / way);
-            shares.high = std::min(shares.high, ((way < 0.0 ? low : high) - a[axis]) / way);
-        } else if (a[axis] < low || a[axis] > high) {
-            shares.high = -1.0;
-        }
-    }
-    return shares;
+    return chord_in_window(seen_at(in, from), seen_at(in, to), glm::dvec4(in.scene.lens.viewport), beside);
 }
 
 // Finds knots between the places of a part. Between knots, widths and opacities change linearly. Chords outside the
@@ -818,6 +798,23 @@ void draw(const StrokeInput& in, PartPath& path, LineStrokes& out) {
 }
 
 } // namespace
+
+ShareRange chord_in_window(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec4& window,
+                           double beside) noexcept {
+    ShareRange shares{0.0, 1.0};
+    for (const int axis : {0, 1}) {
+        const double way = to[axis] - from[axis];
+        const double low = window[axis] - beside;
+        const double high = window[axis] + window[axis + 2] + beside;
+        if (way != 0.0) {
+            shares.low = std::max(shares.low, ((way < 0.0 ? high : low) - from[axis]) / way);
+            shares.high = std::min(shares.high, ((way < 0.0 ? low : high) - from[axis]) / way);
+        } else if (from[axis] < low || from[axis] > high) {
+            shares.high = -1.0;
+        }
+    }
+    return shares;
+}
 
 void add_strokes(const LineInput& input, const drawing::Drawing& drawing, const base::Progress& progress,
                  LineStrokes& strokes) {

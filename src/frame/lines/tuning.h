@@ -95,6 +95,38 @@ struct LineTuning {
     double soft_edge_begins = 0.45;
     // Points for wobbles and fades are made in the window, and up to this many steps outside it.
     double steps_beside = 16.0;
+
+    // ---- Lines beside other lines
+
+    // Lines are compared at places this many pens apart. A pen is the width of the widest line. Larger: less time, and
+    // widths that change unevenly.
+    double steps_beside_others = 0.5;
+    // The distances of a line from the edge of another one at which it begins to have width, and at which it has its
+    // full width, in radii of the line. With its full width at a distance of 1, it would touch the other line. Larger:
+    // more white between lines, and lines end farther from others.
+    double least_room = 0.5;
+    double full_room = 2.0;
+    // A line thins another one if the sine of the angle between them is below the first value, and does not above the
+    // second. Larger: lines that cross are thinned at their crossing.
+    double beside_sine = 0.25;
+    double crossing_sine = 0.6;
+    // Two places of one stroke are compared if they are this many reaches apart along the stroke. A reach is 1.5 pens.
+    // Smaller: bends of a line are thinned.
+    double least_apart = 4.0;
+    // Weights of the logarithm of the ratio of two widths and of two lengths, and of the age of two lines. If the sum
+    // is 1, only one of the two lines is thinned; if it is 0, both are, by half. Larger: the property decides more
+    // often, and lines change places faster.
+    double weight_of_width = 8.0;
+    double weight_of_length = 0.8;
+    double weight_of_age = 1.0;
+    // The number of times that widths are computed from those of other lines. It should be even: then a line whose
+    // neighbours are undecided stays. Larger: more lines of a stack are right.
+    int beside_rounds = 6;
+    // Changes of width are averaged twice over this many pens to each side. Larger: softer ends, and lines must run
+    // beside each other longer before one is left out.
+    double beside_fade = 2.0;
+    // Parts that keep at most this share of their width are left out. Larger: ends are blunter.
+    double least_kept = 0.03;
 };
 inline constexpr LineTuning line_tuning;
 
