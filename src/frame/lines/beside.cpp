@@ -173,9 +173,11 @@ struct BesideInput {
 // Returns a weight that is 0 for two places of one stroke that follow each other closely, and 1 for other places.
 double apart_along(const BesideInput& in, const Sample& a, const Sample& b) noexcept {
     if (a.stroke != b.stroke) return 1.0;
+    const double least = line_tuning.least_apart * in.reach;
     double apart = std::abs(a.at - b.at);
-    if (in.stroke_of(a).closed) apart = std::min(apart, in.length_of(in.stroke_of(a)) - apart);
-    return smooth_step(line_tuning.least_apart * in.reach, 2.0 * line_tuning.least_apart * in.reach, apart);
+    if (apart <= least) return 0.0;
+    if (const Stroke& stroke = in.stroke_of(a); stroke.closed) apart = std::min(apart, in.length_of(stroke) - apart);
+    return smooth_step(least, 2.0 * least, apart);
 }
 
 // Returns a weight that falls to 0 at the ends of an open stroke.
@@ -230,17 +232,22 @@ struct Neighbours {
 
 Neighbours find_neighbours(base::Memory& memory, const BesideInput& in, double step) {
     const base::Array<Sample>& samples = in.samples.sample;
+    const double reach = in.reach + step; // of samples: a segment between two samples may be nearer than both
     geometry::VecArray place(memory);
     for (const Sample& sample : samples) place.push_back({sample.place, 0.0});
-    const geometry::PointGrid grid(place, in.reach + step);
+    const geometry::PointGrid grid(place, reach);
     Neighbours found(memory);
     for (std::int64_t i = 0; i < samples.size(); ++i) {
+        const Sample& sample = samples[i];
+        const Stroke& stroke = in.stroke_of(sample);
         found.first.push_back(found.neighbour.size());
-        const Stroke& stroke = in.stroke_of(samples[i]);
         grid.around(place[i], [&](std::int64_t at) {
-            const std::int64_t other = grid.index(at);
-            if (other == i || !may_be_thinned(stroke, in.stroke_of(samples[other]), in.layers)) return;
-            const Neighbour neighbour = neighbour_at(in, i, other);
+            const std::int64_t number = grid.index(at);
+            const Sample& other = samples[number];
+            const glm::dvec2 way = other.place - sample.place;
+            if (glm::dot(way, way) > reach * reach || !(apart_along(in, sample, other) > 0.0)) return;
+            if (!may_be_thinned(stroke, in.stroke_of(other), in.layers)) return;
+            const Neighbour neighbour = neighbour_at(in, i, number);
             if (neighbour.lost > 0.0) found.neighbour.push_back(neighbour);
         });
     }

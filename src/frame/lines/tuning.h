@@ -65,7 +65,7 @@ struct LineTuning {
 
     // Depths are measured at up to about twice this many vertices of the surfaces. Larger: more time, and steadier
     // widths if only a small part of a surface is in the window.
-    std::int64_t most_depths = 32768;
+    std::int64_t most_depths = 8192;
     // A place less than this share of the window from the window's border counts less for the range of depths. Larger:
     // widths change more slowly if a surface enters the window.
     double depth_margin = 0.05;
