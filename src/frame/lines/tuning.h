@@ -124,7 +124,7 @@ struct LineTuning {
     int beside_rounds = 6;
     // Changes of width are averaged twice over this many pens to each side. Larger: softer ends, and lines must run
     // beside each other longer before one is left out.
-    double beside_fade = 2.0;
+    double beside_fade = 1.0;
     // Parts that keep at most this share of their width are left out. Larger: ends are blunter.
     double least_kept = 0.03;
 };
