@@ -148,22 +148,27 @@ hrbfnpr_line_style contour_style_of(const Style& style) noexcept {
     return found != style.lines.end() ? *found : usual_contour();
 }
 
-// Adds the styles for one kind of lines. Widths are relative to the width of the contour.
+float scaled_line_length(float length, double factor) noexcept {
+    return static_cast<float>(static_cast<double>(length) * factor);
+}
+
+// Adds the styles for one kind of lines. They are drawn in the ink and by the hand of the contour. Widths are relative
+// to that of the contour.
 void add_styles_of(const WantedLine& wanted, const hrbfnpr_line_style& contour, Style& style) {
     if (wanted.kind == HRBFNPR_LINE_KIND_CONTOUR) {
         style.lines.push_back(contour);
         return;
     }
     const bool is_crease = wanted.kind == HRBFNPR_LINE_KIND_CREASE;
-    const bool is_wide = is_crease || wanted.kind == HRBFNPR_LINE_KIND_BORDER;
-    hrbfnpr_line_style line = defaults<hrbfnpr_line_style>(hrbfnpr_line_style_init);
+    const bool is_border = wanted.kind == HRBFNPR_LINE_KIND_BORDER;
+    hrbfnpr_line_style line = contour;
     line.kind = wanted.kind;
-    line.width =
-        static_cast<float>(static_cast<double>(contour.width) * (is_wide ? 1.0 : line_style_tuning.fine_width));
     // Hidden shadows would look as if they fell on what hides them.
-    const bool is_shadow = wanted.kind == HRBFNPR_LINE_KIND_SHADOW || wanted.kind == HRBFNPR_LINE_KIND_TERMINATOR;
-    line.hidden = is_shadow ? std::uint32_t{HRBFNPR_HIDDEN_PARTS_NONE} : contour.hidden;
-    line.taper = is_wide || wanted.kind == HRBFNPR_LINE_KIND_SECTION ? 0.0F : contour.taper;
+    if (wanted.kind == HRBFNPR_LINE_KIND_SHADOW || wanted.kind == HRBFNPR_LINE_KIND_TERMINATOR)
+        line.hidden = HRBFNPR_HIDDEN_PARTS_NONE;
+    if (!is_border) line.outline_factor = 1.0F;
+    if (!is_border && !is_crease) line.width = scaled_line_length(line.width, line_style_tuning.fine_width);
+    if (is_border || is_crease || wanted.kind == HRBFNPR_LINE_KIND_SECTION) line.taper = 0.0F;
     if (!wanted.levels.empty()) line.levels = style.keep_levels(wanted.levels.data(), wanted.levels.size());
     style.lines.push_back(line);
     if (!is_crease) return;
@@ -173,16 +178,26 @@ void add_styles_of(const WantedLine& wanted, const hrbfnpr_line_style& contour, 
     style.lines.push_back(line);
 }
 
+// Adds a style for borders for each style of contours, of which some draw contours twice.
+void add_border_styles(Pool& pool, Style& style) {
+    const WantedLine border(HRBFNPR_LINE_KIND_BORDER, pool);
+    bool has_contour = false;
+    const std::size_t count = style.lines.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const hrbfnpr_line_style line = style.lines[i];
+        if (line.kind != HRBFNPR_LINE_KIND_CONTOUR) continue;
+        has_contour = true;
+        add_styles_of(border, line, style);
+    }
+    if (!has_contour) add_styles_of(border, usual_contour(), style);
+}
+
 std::uint32_t hidden_parts_of(std::uint32_t hidden_lines) noexcept {
     switch (hidden_lines) {
     case HRBFNPR_HIDDEN_LINES_HIDE: return HRBFNPR_HIDDEN_PARTS_NONE;
     case HRBFNPR_HIDDEN_LINES_SHOW: return HRBFNPR_HIDDEN_PARTS_SHOWN;
     default: return HRBFNPR_HIDDEN_PARTS_ATTENUATED;
     }
-}
-
-float scaled_line_length(float length, double factor) noexcept {
-    return static_cast<float>(static_cast<double>(length) * factor);
 }
 
 bool wants_finding_once(std::uint32_t kind) noexcept {
@@ -236,8 +251,7 @@ void size_lines(const Call& call, Style& style, double pen, bool has_end) {
     const bool has_border = std::any_of(style.lines.begin(), style.lines.end(), [](const hrbfnpr_line_style& line) {
         return line.kind == HRBFNPR_LINE_KIND_BORDER;
     });
-    if (!are_given && !style.lines.empty() && !has_border && has_end)
-        add_styles_of(WantedLine(HRBFNPR_LINE_KIND_BORDER, call.pool), contour, style);
+    if (!are_given && !style.lines.empty() && !has_border && has_end) add_border_styles(call.pool, style);
     const double line_width = options.desc.line_width;
     const double wider = line_width > 0.0 ? line_width / (pen * static_cast<double>(contour.width)) : 1.0;
     const std::optional<double> hidden_lines = options.changes.number("style.hidden_lines");

@@ -147,5 +147,37 @@ TEST_F(WantedLinesTest, RequestedLinesReplaceTheLinesOfTheStyle) {
     EXPECT_FALSE(needs_curvature(style));
 }
 
+// The contours of a sketch are drawn twice. So is the border, in the same pencils.
+TEST_F(WantedLinesTest, BordersAreDrawnAsContoursAre) {
+    PlannedCall plain(HRBFNPR_PRESET_SKETCH);
+    const Call call = plain.call();
+    Style style(HRBFNPR_PRESET_SKETCH, pool);
+    const Vector<hrbfnpr_line_style> contours(style.lines.begin(), style.lines.begin() + 2, &pool);
+    size_lines(call, style, 1.0, true);
+    ASSERT_EQ(style.lines.size(), 5U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const hrbfnpr_line_style& border = style.lines[3 + i];
+        EXPECT_EQ(border.kind, std::uint32_t{HRBFNPR_LINE_KIND_BORDER});
+        EXPECT_EQ(border.width, contours[i].width);
+        EXPECT_EQ(border.ink[0], contours[i].ink[0]);
+        EXPECT_EQ(border.wobble, contours[i].wobble);
+        EXPECT_EQ(border.far_factor, contours[i].far_factor);
+    }
+}
+
+TEST_F(WantedLinesTest, RequestedLinesHaveTheInkOfTheContour) {
+    PlannedCall asked(HRBFNPR_PRESET_BLUEPRINT);
+    asked.desc.lines = "contour,ridges,border";
+    const Call call = asked.call();
+    Style style(HRBFNPR_PRESET_BLUEPRINT, pool);
+    size_lines(call, style, 1.0, true);
+    ASSERT_EQ(style.lines.size(), 3U);
+    EXPECT_GT(style.lines[0].ink[0], 0.9F);
+    EXPECT_EQ(style.lines[1].ink[0], style.lines[0].ink[0]);
+    EXPECT_EQ(style.lines[1].outline_factor, 1.0F);
+    EXPECT_EQ(style.lines[2].ink[0], style.lines[0].ink[0]);
+    EXPECT_EQ(style.lines[2].outline_factor, style.lines[0].outline_factor);
+}
+
 } // namespace
 } // namespace picture_tests::wanted_lines_test
