@@ -232,7 +232,8 @@ struct Neighbours {
 
 Neighbours find_neighbours(base::Memory& memory, const BesideInput& in, double step) {
     const base::Array<Sample>& samples = in.samples.sample;
-    const double reach = in.reach + step; // of samples: a segment between two samples may be nearer than both
+    // A segment may be nearer than the two samples at its ends.
+    const double reach = in.reach + step;
     geometry::VecArray place(memory);
     for (const Sample& sample : samples) place.push_back({sample.place, 0.0});
     const geometry::PointGrid grid(place, reach);
