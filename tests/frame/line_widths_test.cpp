@@ -281,6 +281,17 @@ TEST_F(WobblingLines, StayWithinTheirWobble) {
     for (std::size_t i = 0; i < 360; ++i) EXPECT_NEAR(found[i], found[(i + 1) % 360], 0.1); // smooth, and closed
 }
 
+// A circle of 25 pixels strays by at most the share 25 / 160 of what a line strays that is longer than a swing.
+TEST_F(WobblingLines, ShortLinesStrayLess) {
+    style[0].wobble = 1.0F;
+    double most = 0.0;
+    for (const StrokePoint& p : draw({item_of(&ball_lines, moved({}, 0.02))}))
+        most = std::max(most,
+                        std::abs(std::hypot(static_cast<double>(p.x) - 250.0, static_cast<double>(p.y) - 250.0) - 4.0));
+    EXPECT_GT(most, 0.05);
+    EXPECT_LT(most, 4.0 * 25.2 / 160.0 + 0.02);
+}
+
 TEST_F(WobblingLines, WobbleAlikeAtEverySize) {
     style[0].wobble = 1.0F;
     const std::vector<double> small = strays(400);

@@ -291,6 +291,8 @@ public:
           knot_distance_(static_cast<double>(style.wobble_length) * static_cast<double>(style.width) /
                          line_tuning.knots_a_swing),
           seed_(style.wobble_seed | std::uint64_t{static_cast<std::uint32_t>(style.kind)} << 32U), line_(line) {
+        // A line shorter than a swing strays less, because its ends would be off by more than its form.
+        offset_ *= std::min(1.0, whole / (line_tuning.knots_a_swing * knot_distance_));
         if (!closed || !(whole > 0.0)) return;
         const double knots = std::max(line_tuning.fewest_knots, std::round(whole / knot_distance_));
         knot_distance_ = whole / knots;
