@@ -43,7 +43,7 @@ protected:
         item.style.hidden_lines = frame::HiddenLines::show;
         item.style.layers = blank;
         item.style.lines = with;
-        item.style.halo_width = 0.0F;
+        item.style.halo_width = halo;
         item.lines = lines;
         return item;
     }
@@ -96,6 +96,7 @@ protected:
         lines.width = 4.0F;
         return lines;
     }()};
+    float halo = 0.01F; // pixels
     DrawnFrame frame{runtime};
 };
 
@@ -113,6 +114,14 @@ TEST_F(LinesBeside, LinesWithWhiteBetweenThemStay) {
         EXPECT_NEAR(radius_at(0, angle), 2.0, 1e-6);
         EXPECT_NEAR(radius_at(1, angle), 2.0, 1e-6);
     }
+}
+
+TEST_F(LinesBeside, LinesWithoutHalosStay) {
+    halo = 0.0F;
+    draw_coaxial(2.0);
+    EXPECT_EQ(frame.drawing().strokes.size(), 2);
+    EXPECT_EQ(radius_at(0, 30.0), 2.0);
+    EXPECT_EQ(radius_at(1, 30.0), 2.0);
 }
 
 // The weightier line keeps its width, and the other one grows with the room.

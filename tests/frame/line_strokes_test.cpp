@@ -299,8 +299,7 @@ TEST_F(LineStrokes, OpacitiesOfHiddenLayersMultiply) {
 }
 
 // A circle of radius 0.5 is behind a larger one of radius 0.6, which leaves an arc. The arc would be a dot if it is
-// shorter than half the line's width, so it is not drawn. It has another ink, because a line beside another one of its
-// ink is thinned.
+// shorter than half the line's width, so it is not drawn.
 TEST_F(LineStrokes, TooShortVisiblePartsAreNotDrawn) {
     style[0].width = 8.0F;
     style[0].hidden = HiddenParts::none;
@@ -308,10 +307,7 @@ TEST_F(LineStrokes, TooShortVisiblePartsAreNotDrawn) {
         const double cosine = std::cos(0.5 * pixels / (0.5 * 200.0));
         double d = 0.1; // distance of the middles: 0.6^2 = 0.5^2 + d^2 + d cosine
         for (int i = 0; i < 20; ++i) d -= (0.25 + d * d + d * cosine - 0.36) / (2.0 * d + cosine);
-        std::array items{item_of(&ball_lines, moved({d, 0.0, -2.0}, 0.5)), item_of(&ball_lines, moved({}, 0.6))};
-        std::array red = style;
-        red[0].ink[0] = 1.0F;
-        items[0].style.lines = red;
+        const std::array items{item_of(&ball_lines, moved({d, 0.0, -2.0}, 0.5)), item_of(&ball_lines, moved({}, 0.6))};
         draw(items);
         return strokes_of(0);
     };

@@ -271,7 +271,7 @@ def test_plots_look_like_the_picture(model, kind, read):
     style = hrbfnpr.Style("silhouette")
     style.lines = [line for line in style.lines if line.kind == "contour"]
     for line in style.lines:
-        line.width, line.taper, line.hidden = width, 0.0, "none"
+        line.width, line.taper, line.far_factor, line.hidden = width, 0.0, 1.0, "none"
     lines = hrbfnpr.LineSet(model, with_curvature=True)
     camera = hrbfnpr.Camera.look_at((2.0, 1.5, 3.0), (0, 0, 0), (0, 1, 0)).perspective(0.7, (size, size), 0.5, 8.0)
     marks = hrbfnpr.PointSet.generate(model, [hrbfnpr.Layer("stipples", budget=2000)])

@@ -88,16 +88,26 @@ Sample sample_at(const StrokePoint& a, const StrokePoint& b, std::int32_t stroke
     return {{mixed(a.x, b.x), mixed(a.y, b.y)}, mixed(a.length, b.length), mixed(a.radius, b.radius), stroke};
 }
 
-// Places samples along the strokes of kinds with a rank, a step apart and at the end. Chords outside of the window have
+// Returns for each layer 1 if its strokes thin others or are thinned: they have a rank and a halo. An item without
+// halos keeps all its lines.
+base::Array<std::uint8_t> layers_with_room(const LineInput& in, std::span<const drawing::Layer> layers) {
+    base::Array<std::uint8_t> with_room(in.runtime.memory, static_cast<std::int64_t>(layers.size()));
+    for (const DrawnSubject& drawn : in.traced.styles)
+        if (drawn.halo > 0.0F && rank_of(layers[drawn.layer].line_kind) >= 0) with_room[drawn.layer] = 1;
+    return with_room;
+}
+
+// Places samples along the strokes of layers with room, a step apart and at the end. Chords outside of the window have
 // none, because a line that passes beside the eye may be immensely long.
 Samples sample_strokes(const LineInput& in, const LineStrokes& strokes, std::span<const drawing::Layer> layers,
                        double step) {
+    const base::Array<std::uint8_t> with_room = layers_with_room(in, layers);
     const glm::dvec4 window(in.scene.lens.viewport);
     Samples samples(in.runtime.memory);
     for (std::int64_t s = 0; s < strokes.strokes.size(); ++s) {
         const Stroke& stroke = strokes.strokes[s];
         samples.first.push_back(samples.sample.size());
-        if (rank_of(layers[stroke.layer].line_kind) < 0) continue;
+        if (with_room[stroke.layer] == 0) continue;
         const StrokePoint* const point = strokes.points.data() + stroke.first;
         double next = 0.0; // the number of steps from the beginning to the next sample
         for (std::int32_t i = 0; i + 1 < stroke.count; ++i) {
