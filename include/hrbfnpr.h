@@ -2249,7 +2249,9 @@ enum {
 };
 
 /* How the lines of one kind are drawn, for items that have a line set.  Lengths are in pixels unless a field says
- * otherwise. */
+ * otherwise.  Of two contours, borders, creases, ridges, valleys, suggestive contours or apparent ridges of one ink
+ * that run side by side, nearer than a pen, only one keeps its width, and the other narrows and ends: the one of the
+ * later kind in this list, or the thinner, or the shorter.  Items whose halo_width is 0 keep all their lines. */
 typedef struct hrbfnpr_line_style {
     uint32_t struct_size;
     uint32_t kind;        /* kind of lines that this style is for, HRBFNPR_LINE_KIND_...; default CONTOUR */
@@ -2362,8 +2364,10 @@ typedef struct hrbfnpr_style {
                                     whatever the marks' density and the zoom; 0 .. 1e6; default 8; 0 = each mark paints
                                     with alpha itself, as published.  Larger: hidden ink is paler */
     float halo_width;            /* width of the halo, in pixels at any zoom; 0 .. 16384; default 2.  With DEPTH_LAYERS
-                                    a surface hides what lies behind it up to this far beyond its contour.  With
-                                    PUBLISHED it is added to the radius of the paper of back marks */
+                                    a surface hides what lies behind it up to this far beyond its contour; if it is
+                                    above 0, lines that run beside others, nearer than a pen, are thinned
+                                    (docs/lines.md).  With PUBLISHED it is added to the radius of the paper of back
+                                    marks */
     uint32_t reserved;
 
     /* Distance and zoom. */

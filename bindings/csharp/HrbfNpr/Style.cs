@@ -171,7 +171,7 @@ namespace HrbfNpr
 
         /// <summary>
         /// Width of the halo, in pixels at any zoom; 0 to 16384; default 2.  A surface hides what lies behind it up to
-        /// this far beyond its contour.
+        /// this far beyond its contour.  If it is above 0, lines that run beside others, nearer than a pen, are thinned.
         /// </summary>
         public float HaloWidth { get; set; }
 
