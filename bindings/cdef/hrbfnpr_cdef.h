@@ -257,14 +257,15 @@ hrbfnpr_status hrbfnpr_point_set_step_patches(hrbfnpr_context* context, const hr
 hrbfnpr_status hrbfnpr_point_set_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
     hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
-    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error); enum { HRBFNPR_LINE_KIND_CONTOUR = 1,
-    HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR = 2, HRBFNPR_LINE_KIND_RIDGE = 3, HRBFNPR_LINE_KIND_VALLEY = 4,
-    HRBFNPR_LINE_KIND_APPARENT_RIDGE = 5, HRBFNPR_LINE_KIND_PARABOLIC = 6, HRBFNPR_LINE_KIND_ISOPHOTE = 7,
-    HRBFNPR_LINE_KIND_SECTION = 8, HRBFNPR_LINE_KIND_BORDER = 9, HRBFNPR_LINE_KIND_OWN = 10,
-    HRBFNPR_LINE_KIND_CREASE = 11, HRBFNPR_LINE_KIND_SHADOW = 12, HRBFNPR_LINE_KIND_TERMINATOR = 13 };
-typedef struct hrbfnpr_line_desc { uint32_t struct_size; uint32_t kind; const char* name; double lower; double upper;
-    double shortest; double plane[3]; hrbfnpr_array levels; hrbfnpr_array position; hrbfnpr_array line_first;
-    } hrbfnpr_line_desc; hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size);
+    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
+enum { HRBFNPR_LINE_KIND_CONTOUR = 1, HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR = 2, HRBFNPR_LINE_KIND_RIDGE = 3,
+    HRBFNPR_LINE_KIND_VALLEY = 4, HRBFNPR_LINE_KIND_APPARENT_RIDGE = 5, HRBFNPR_LINE_KIND_PARABOLIC = 6,
+    HRBFNPR_LINE_KIND_ISOPHOTE = 7, HRBFNPR_LINE_KIND_SECTION = 8, HRBFNPR_LINE_KIND_BORDER = 9,
+    HRBFNPR_LINE_KIND_OWN = 10, HRBFNPR_LINE_KIND_CREASE = 11, HRBFNPR_LINE_KIND_SHADOW = 12,
+    HRBFNPR_LINE_KIND_TERMINATOR = 13, HRBFNPR_LINE_KIND_SOFT_EDGE = 14 }; typedef struct hrbfnpr_line_desc {
+    uint32_t struct_size; uint32_t kind; const char* name; double lower; double upper; double shortest; double plane[3];
+    hrbfnpr_array levels; hrbfnpr_array position; hrbfnpr_array line_first; } hrbfnpr_line_desc;
+hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size);
 enum { HRBFNPR_LINE_SET_WITH_CURVATURE = 1 };
 typedef struct hrbfnpr_line_set_desc { uint32_t struct_size; uint32_t flags; double cell_size;
     hrbfnpr_array seed_points; const hrbfnpr_line_desc* lines; int64_t line_count; int64_t line_stride; double support;

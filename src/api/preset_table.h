@@ -49,6 +49,10 @@ inline constexpr hrbfnpr_line_style hatch_lines[] = {
     changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 2.2F; }),
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.4F; to.outline_factor = 1.0F;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.1F; to.outline_factor = 1.0F;
+        to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
     })};
 
 // ---- cross-hatch
@@ -94,6 +98,10 @@ inline constexpr hrbfnpr_line_style cross_hatch_lines[] = {
     changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 2.2F; }),
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.4F; to.outline_factor = 1.0F;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.1F; to.outline_factor = 1.0F;
+        to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
     })};
 
 // ---- combing
@@ -130,6 +138,10 @@ inline constexpr hrbfnpr_line_style combing_lines[] = {
     changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 2.2F; }),
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.4F; to.outline_factor = 1.0F;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.1F; to.outline_factor = 1.0F;
+        to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
     })};
 
 // ---- silhouette
@@ -140,12 +152,16 @@ inline constexpr hrbfnpr_layer_style silhouette_layers[] = {
     changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_ANY; to.shown = 0; })};
 inline constexpr hrbfnpr_line_style silhouette_lines[] = {
     changed(default_line_style(), [](auto& to) {
-        to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 2.2F; to.hidden = HRBFNPR_HIDDEN_PARTS_ATTENUATED;
-        to.outline_factor = 1.5F;
+        to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 2.8F; to.hidden = HRBFNPR_HIDDEN_PARTS_ATTENUATED;
+        to.outline_factor = 1.5F; to.far_factor = 0.45F;
     }),
     changed(default_line_style(), [](auto& to) {
-        to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.4F; to.hidden = HRBFNPR_HIDDEN_PARTS_ATTENUATED;
-        to.outline_factor = 1.0F;
+        to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.8F; to.hidden = HRBFNPR_HIDDEN_PARTS_ATTENUATED;
+        to.outline_factor = 1.0F; to.far_factor = 0.45F;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.5F; to.hidden = HRBFNPR_HIDDEN_PARTS_NONE;
+        to.outline_factor = 1.0F; to.far_factor = 0.45F; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
     })};
 
 // ---- contour-and-stipple
@@ -159,6 +175,10 @@ inline constexpr hrbfnpr_line_style contour_and_stipple_lines[] = {
     changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 2.2F; }),
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.4F; to.outline_factor = 1.0F;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.1F; to.outline_factor = 1.0F;
+        to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
     })};
 
 // ---- xray
@@ -212,6 +232,10 @@ inline constexpr hrbfnpr_line_style full_lines[] = {
     changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 2.2F; }),
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.4F; to.outline_factor = 1.0F;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.1F; to.outline_factor = 1.0F;
+        to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
     })};
 
 // ---- engraving
@@ -230,6 +254,10 @@ inline constexpr hrbfnpr_line_style engraving_lines[] = {
     changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 2.2F; }),
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.4F; to.outline_factor = 1.0F;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.1F; to.outline_factor = 1.0F;
+        to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
     })};
 
 // ---- etching
@@ -266,6 +294,10 @@ inline constexpr hrbfnpr_line_style etching_lines[] = {
     changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 2.2F; }),
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.4F; to.outline_factor = 1.0F;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.1F; to.outline_factor = 1.0F;
+        to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
     })};
 
 // ---- woodcut
@@ -282,10 +314,14 @@ inline constexpr hrbfnpr_layer_style woodcut_layers[] = {
     changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_ANY; to.shown = 0; })};
 inline constexpr hrbfnpr_line_style woodcut_lines[] = {
     changed(default_line_style(), [](auto& to) {
-        to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 3.6F; to.outline_factor = 1.5F;
+        to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 4.6F; to.outline_factor = 1.5F; to.far_factor = 0.45F;
     }),
     changed(default_line_style(), [](auto& to) {
-        to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 2.4F; to.outline_factor = 1.0F;
+        to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 3.0F; to.outline_factor = 1.0F; to.far_factor = 0.45F;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 2.2F; to.outline_factor = 1.0F; to.far_factor = 0.45F;
+        to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
     })};
 
 // ---- scientific-stipple
@@ -307,6 +343,10 @@ inline constexpr hrbfnpr_line_style scientific_stipple_lines[] = {
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 0.9F; to.outline_factor = 1.0F; to.lit_factor = 0.55F;
         to.taper = 16.0F;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 0.7F; to.outline_factor = 1.0F; to.lit_factor = 0.55F;
+        to.taper = 24.0F; to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.lower = 15.0; to.upper = 60.0;
     })};
 
 // ---- sketch
@@ -347,19 +387,28 @@ inline constexpr hrbfnpr_layer_style sketch_layers[] = {
     })};
 inline constexpr hrbfnpr_line_style sketch_lines[] = {
     changed(default_line_style(), [](auto& to) {
-        to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 1.7F; to.cap = HRBFNPR_CAP_POINTED; to.taper = 30.0F;
-        to.lit_factor = 0.6F; to.wobble = 0.9F; to.wobble_width = 0.35F; to.wobble_length = 60.0F; to.wobble_seed = 1;
+        to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 2.2F; to.cap = HRBFNPR_CAP_POINTED; to.taper = 30.0F;
+        to.lit_factor = 0.6F; to.far_factor = 0.45F; to.wobble = 0.7F; to.wobble_width = 0.35F;
+        to.wobble_length = 46.0F; to.wobble_seed = 1;
         to.ink[0] = 0.2F; to.ink[1] = 0.2F; to.ink[2] = 0.22F; to.ink[3] = 1.0F;
     }),
     changed(default_line_style(), [](auto& to) {
-        to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 1.1F; to.cap = HRBFNPR_CAP_POINTED; to.taper = 30.0F;
-        to.lit_factor = 0.6F; to.wobble = 3.2F; to.wobble_width = 0.35F; to.wobble_length = 60.0F; to.wobble_seed = 2;
+        to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 1.4F; to.cap = HRBFNPR_CAP_POINTED; to.taper = 30.0F;
+        to.lit_factor = 0.6F; to.far_factor = 0.45F; to.wobble = 2.5F; to.wobble_width = 0.35F;
+        to.wobble_length = 46.0F; to.wobble_seed = 2;
         to.ink[0] = 0.2F; to.ink[1] = 0.2F; to.ink[2] = 0.22F; to.ink[3] = 1.0F;
     }),
     changed(default_line_style(), [](auto& to) {
-        to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.2F; to.cap = HRBFNPR_CAP_POINTED; to.taper = 30.0F;
-        to.lit_factor = 0.6F; to.wobble = 0.9F; to.wobble_width = 0.35F; to.wobble_length = 60.0F; to.wobble_seed = 3;
+        to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.6F; to.cap = HRBFNPR_CAP_POINTED; to.taper = 30.0F;
+        to.lit_factor = 0.6F; to.far_factor = 0.45F; to.wobble = 0.7F; to.wobble_width = 0.35F;
+        to.wobble_length = 46.0F; to.wobble_seed = 3;
         to.ink[0] = 0.2F; to.ink[1] = 0.2F; to.ink[2] = 0.22F; to.ink[3] = 1.0F;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.1F; to.cap = HRBFNPR_CAP_POINTED; to.taper = 24.0F;
+        to.lit_factor = 0.6F; to.far_factor = 0.45F; to.wobble = 0.7F; to.wobble_width = 0.35F;
+        to.wobble_length = 46.0F; to.wobble_seed = 4;
+        to.ink[0] = 0.2F; to.ink[1] = 0.2F; to.ink[2] = 0.22F; to.ink[3] = 1.0F; to.lower = 15.0; to.upper = 60.0;
     })};
 
 // ---- blueprint

@@ -1112,15 +1112,15 @@ class LinesFields:
     Attributes
     ----------
     kind : str
-        "ridge", "valley", "parabolic", "section" or "own".
+        "ridge", "valley", "parabolic", "section", "own" or "soft_edge".
     name : str
         The name by which `LineStyle.name` refers to the lines.
     lower : float
         Least strength at which a line goes on; 0 or more; default 0. If `lower` and `upper` are 0, it is 6 for
-        ridges and valleys, and 0 for other kinds.
+        ridges and valleys, 15 (degrees) for soft edges, and 0 for other kinds.
     upper : float
         Strength that a line must reach somewhere, or it is dropped; not below `lower`; default 0. If `lower` and
-        `upper` are 0, it is 15 for ridges and valleys, and 0 for other kinds.
+        `upper` are 0, it is 15 for ridges and valleys, 35 (degrees) for soft edges, and 0 for other kinds.
     shortest : float
         Length below which a line is dropped, in diagonals; 0 or more; default 0.01.
     plane : sequence of float

@@ -633,10 +633,16 @@ export declare const LINE_KIND: {
    * else shades the place; as SHADOW
    */
   readonly TERMINATOR: 13;
+  /**
+   * edges and folds that are round, such as the worn rim of a base; once. Strength: the angle by which the surface
+   * turns within a few cells of the line, less the turns beside that, in degrees. Organic bumps, limbs and noise
+   * have none. `fade` of a line style makes the line narrower and not paler
+   */
+  readonly SOFT_EDGE: 14;
 };
 /** The constants of LINE_KIND, as options spell them. */
 export type LineKindName = "contour" | "suggestive-contour" | "ridge" | "valley" | "apparent-ridge" | "parabolic" |
-  "isophote" | "section" | "border" | "own" | "crease" | "shadow" | "terminator";
+  "isophote" | "section" | "border" | "own" | "crease" | "shadow" | "terminator" | "soft-edge";
 
 /** What a line set measures. */
 export declare const LINE_SET_WITH: {

@@ -929,18 +929,18 @@ export interface MarkField {
 
 /** Lines to find once, when the line set is made. */
 export interface LineDesc {
-  /** HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION or OWN; default RIDGE */
+  /** HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION, OWN or SOFT_EDGE; default RIDGE */
   kind?: LineKindName | number;
   /** name by which hrbfnpr_line_style.name selects these lines; UTF-8, up to 63 bytes; default NULL = "" */
   name?: string;
   /**
    * least strength at which a line goes on; 0 or more; default 0. If `lower` and `upper` are 0, it is 6 for ridges
-   * and valleys, and 0 for other kinds
+   * and valleys, 15 (degrees) for soft edges, and 0 for other kinds
    */
   lower?: number;
   /**
    * strength that a line must reach somewhere, or it is dropped; not below `lower`; default 0. If `lower` and
-   * `upper` are 0, it is 15 for ridges and valleys, and 0 for other kinds
+   * `upper` are 0, it is 15 for ridges and valleys, 35 (degrees) for soft edges, and 0 for other kinds
    */
   upper?: number;
   /** length below which a line is dropped, in diagonals; 0 or more; default 0.01 */
@@ -1183,7 +1183,11 @@ export interface LayerStyle {
 /**
  * How the lines of one kind are drawn, for items that have a line set.  Lengths are in pixels unless a field
  * says
- * otherwise.
+ * otherwise.  Of two contours, borders, creases, ridges, valleys, suggestive contours or apparent ridges of one
+ * ink
+ * that run side by side, nearer than a pen, only one keeps its width, and the other narrows and ends: the one of
+ * the
+ * later kind in this list, or the thinner, or the shorter.  Items whose halo_width is 0 keep all their lines.
  */
 export interface LineStyle {
   /** kind of lines that this style is for, HRBFNPR_LINE_KIND_...; default CONTOUR */
@@ -1224,13 +1228,14 @@ export interface LineStyle {
   fade?: number;
   /**
    * least strength at which a line goes on, as in hrbfnpr_line_desc; 0 or more; default 0. If `lower` and `upper`
-   * are 0, it is 10 for suggestive contours, 12 for apparent ridges, 15 (degrees) for creases, and 0 for other
-   * kinds
+   * are 0, it is 10 for suggestive contours, 12 for apparent ridges, 15 (degrees) for creases, 15 (degrees) for
+   * soft edges, and 0 for other kinds
    */
   lower?: number;
   /**
    * strength that a line must reach somewhere to be drawn; 0 or more; default 0. If `lower` and `upper` are 0, it
-   * is 30 for suggestive contours, 25 for apparent ridges, 30 (degrees) for creases, and 0 for other kinds
+   * is 30 for suggestive contours, 25 for apparent ridges, 30 (degrees) for creases, 35 (degrees) for soft edges,
+   * and 0 for other kinds
    */
   upper?: number;
   /**
@@ -1251,8 +1256,9 @@ export interface LineStyle {
    */
   outlineFactor?: number;
   /**
-   * factor of the width at the farthest place of all lines in the viewport, hidden ones too; 0 .. 16; default 1.
-   * It is 1 at the nearest place, and changes evenly with depth
+   * factor of the width at the farthest place of the surfaces of all items that have lines, in the viewport; 0 ..
+   * 16; default 1. It is 1 at the nearest place, and changes evenly with depth. If the surfaces reach less deep
+   * than half of their extent across the line of sight, it changes as if they reached so deep
    */
   farFactor?: number;
   /**
@@ -1280,7 +1286,7 @@ export interface LineStyle {
   wobbleLength?: number;
   /** seed of the wobble; any number; default 0 */
   wobbleSeed?: number;
-  /** which lines of kind CREASE are drawn, HRBFNPR_CREASES_...; default ALL */
+  /** which lines of the kinds CREASE and SOFT_EDGE are drawn, HRBFNPR_CREASES_...; default ALL */
   creases?: CreasesName | number;
 }
 
@@ -1365,8 +1371,8 @@ export interface Style {
   splatOverlap?: number;
   /**
    * width of the halo, in pixels at any zoom; 0 .. 16384; default 2. With DEPTH_LAYERS a surface hides what lies
-   * behind it up to this far beyond its contour. With PUBLISHED it is added to the radius of the paper of back
-   * marks
+   * behind it up to this far beyond its contour; if it is above 0, lines that run beside others, nearer than a
+   * pen, are thinned (docs/lines.md). With PUBLISHED it is added to the radius of the paper of back marks
    */
   haloWidth?: number;
   /**
@@ -2554,8 +2560,8 @@ export interface PictureDesc {
   hatchAngle?: number;
   /**
    * kinds of lines with commas between: contour, suggestive, ridges, valleys, apparent, parabolic,
-   * isophotes=0.3:0.6, section=z:20, border, crease, shadow, terminator; "none" = no lines, so that contours are
-   * drawn by marks with VISIBILITY_PUBLISHED only; default NULL = those of the style
+   * isophotes=0.3:0.6, section=z:20, border, crease, shadow, terminator, soft; "none" = no lines, so that contours
+   * are drawn by marks with VISIBILITY_PUBLISHED only; default NULL = those of the style
    */
   lines?: string;
   /**

@@ -216,11 +216,11 @@
 //! layer's name, such as
 //! "stipples" or "hatch-2".  Groups of lines are called "contour", "suggestive", "ridge",
 //! "valley", "apparent ridge",
-//! "parabolic", "isophote", "section", "border", "crease", "shadow", "terminator", or have
-//! the name of lines of kind
-//! OWN.  Ink behind n layers of surface has " hidden n" at the end of its name.  A second
-//! layer of the same name has
-//! " 2".
+//! "parabolic", "isophote", "section", "border", "crease", "shadow", "terminator", "soft
+//! edge", or have the name of
+//! lines of kind OWN.  Ink behind n layers of surface has " hidden n" at the end of its name.
+//! A second layer of the same
+//! name has " 2".
 //!
 //! Groups follow the layers of the drawing, hidden ones first.  In a group strokes are in
 //! order from far to near.  Where
@@ -2690,21 +2690,27 @@ pub const HRBFNPR_LINE_KIND_SHADOW: u32 = 12;
 /// borders between light and shade where the item turns away from a light with a shadow, n .
 /// l = 0, and nothing else shades the place; as SHADOW
 pub const HRBFNPR_LINE_KIND_TERMINATOR: u32 = 13;
+/// edges and folds that are round, such as the worn rim of a base; once. Strength: the angle
+/// by which the surface turns within a few cells of the line, less the turns beside that, in
+/// degrees. Organic bumps, limbs and noise have none. `fade` of a line style makes the line
+/// narrower and not paler
+pub const HRBFNPR_LINE_KIND_SOFT_EDGE: u32 = 14;
 
 /// Lines to find once, when the line set is made.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_line_desc {
     pub struct_size: u32,
-    /// HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION or OWN; default RIDGE
+    /// HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION, OWN or SOFT_EDGE; default RIDGE
     pub kind: u32,
     /// name by which hrbfnpr_line_style.name selects these lines; UTF-8, up to 63 bytes; default NULL = ""
     pub name: *const c_char,
     /// least strength at which a line goes on; 0 or more; default 0. If `lower` and `upper` are
-    /// 0, it is 6 for ridges and valleys, and 0 for other kinds
+    /// 0, it is 6 for ridges and valleys, 15 (degrees) for soft edges, and 0 for other kinds
     pub lower: f64,
     /// strength that a line must reach somewhere, or it is dropped; not below `lower`; default 0.
-    /// If `lower` and `upper` are 0, it is 15 for ridges and valleys, and 0 for other kinds
+    /// If `lower` and `upper` are 0, it is 15 for ridges and valleys, 35 (degrees) for soft
+    /// edges, and 0 for other kinds
     pub upper: f64,
     /// length below which a line is dropped, in diagonals; 0 or more; default 0.01
     pub shortest: f64,
@@ -3233,7 +3239,12 @@ pub const HRBFNPR_CREASES_CONCAVE: u32 = 2;
 
 /// How the lines of one kind are drawn, for items that have a line set.  Lengths are in
 /// pixels unless a field says
-/// otherwise.
+/// otherwise.  Of two contours, borders, creases, ridges, valleys, suggestive contours or
+/// apparent ridges of one ink
+/// that run side by side, nearer than a pen, only one keeps its width, and the other narrows
+/// and ends: the one of the
+/// later kind in this list, or the thinner, or the shorter.  Items whose halo_width is 0 keep
+/// all their lines.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_line_style {
@@ -3270,11 +3281,11 @@ pub struct hrbfnpr_line_style {
     pub fade: f32,
     /// least strength at which a line goes on, as in hrbfnpr_line_desc; 0 or more; default 0. If
     /// `lower` and `upper` are 0, it is 10 for suggestive contours, 12 for apparent ridges, 15
-    /// (degrees) for creases, and 0 for other kinds
+    /// (degrees) for creases, 15 (degrees) for soft edges, and 0 for other kinds
     pub lower: f64,
     /// strength that a line must reach somewhere to be drawn; 0 or more; default 0. If `lower`
     /// and `upper` are 0, it is 30 for suggestive contours, 25 for apparent ridges, 30 (degrees)
-    /// for creases, and 0 for other kinds
+    /// for creases, 35 (degrees) for soft edges, and 0 for other kinds
     pub upper: f64,
     /// values of n . l at which an ISOPHOTE lies; n x 1, FLOAT64, packed, -1 .. 1; at least one
     /// for ISOPHOTE. It is read during _draw only
@@ -3290,8 +3301,10 @@ pub struct hrbfnpr_line_style {
     /// are multiplied.  They
     /// follow the distance in the picture between a contour and an isophote [Goodwin et al. 2007].
     pub outline_factor: f32,
-    /// factor of the width at the farthest place of all lines in the viewport, hidden ones too; 0
-    /// .. 16; default 1. It is 1 at the nearest place, and changes evenly with depth
+    /// factor of the width at the farthest place of the surfaces of all items that have lines, in
+    /// the viewport; 0 .. 16; default 1. It is 1 at the nearest place, and changes evenly with
+    /// depth. If the surfaces reach less deep than half of their extent across the line of sight,
+    /// it changes as if they reached so deep
     pub far_factor: f32,
     /// factor of the width where the surface faces the style's light, whatever its tone; 0 .. 16;
     /// default 1. It is 1 where the surface faces away, and changes evenly with n . l
@@ -3315,7 +3328,7 @@ pub struct hrbfnpr_line_style {
     pub wobble_length: f32,
     /// seed of the wobble; any number; default 0
     pub wobble_seed: u32,
-    /// which lines of kind CREASE are drawn, HRBFNPR_CREASES_...; default ALL
+    /// which lines of the kinds CREASE and SOFT_EDGE are drawn, HRBFNPR_CREASES_...; default ALL
     pub creases: u32,
 }
 
@@ -3399,8 +3412,9 @@ pub struct hrbfnpr_style {
     /// alpha itself, as published. Larger: hidden ink is paler
     pub splat_overlap: f32,
     /// width of the halo, in pixels at any zoom; 0 .. 16384; default 2. With DEPTH_LAYERS a
-    /// surface hides what lies behind it up to this far beyond its contour. With PUBLISHED it is
-    /// added to the radius of the paper of back marks
+    /// surface hides what lies behind it up to this far beyond its contour; if it is above 0,
+    /// lines that run beside others, nearer than a pen, are thinned (docs/lines.md). With
+    /// PUBLISHED it is added to the radius of the paper of back marks
     pub halo_width: f32,
     pub reserved: u32,
     /// distance from the camera at which marks begin to vanish, in world units; default 0. Either
@@ -5955,9 +5969,9 @@ pub struct hrbfnpr_picture_desc {
     /// angle by which all lines of hatching are turned, in degrees, -360 .. 360; default 0
     pub hatch_angle: f64,
     /// kinds of lines with commas between: contour, suggestive, ridges, valleys, apparent,
-    /// parabolic, isophotes=0.3:0.6, section=z:20, border, crease, shadow, terminator; "none" =
-    /// no lines, so that contours are drawn by marks with VISIBILITY_PUBLISHED only; default NULL
-    /// = those of the style
+    /// parabolic, isophotes=0.3:0.6, section=z:20, border, crease, shadow, terminator, soft;
+    /// "none" = no lines, so that contours are drawn by marks with VISIBILITY_PUBLISHED only;
+    /// default NULL = those of the style
     pub lines: *const c_char,
     /// unit of a scale bar below the drawing; "none" = no bar; default NULL = "units" in the
     /// style archaeological, else "none"
