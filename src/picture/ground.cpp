@@ -328,6 +328,8 @@ GroundLayer layer_of_ground(const GroundPlan& plan) {
         else
             found.style.share = 1.0F; // Lines add to the stipples in the darks of the object, but not of the ground.
     }
+    found.style.hatch_fade =
+        std::min(found.style.hatch_fade, std::max(found.style.hatch_tone_begin - ground_tuning.first_marks, 0.0F));
     found.style.kind = found.desc.kind;
     found.style.shown = 1;
     found.style.contours = 0;
@@ -390,7 +392,7 @@ PointSet place_marks_of(const Call& call, const GroundPlan& plan, Ground& ground
     layer.kind = from.desc.kind;
     layer.name = ground_name;
     if (layer.kind == HRBFNPR_LAYER_KIND_STIPPLES) {
-        layer.tone_begin = std::max(from.desc.tone_begin, ground_tuning.first_stipples);
+        layer.tone_begin = std::max(from.desc.tone_begin, ground_tuning.first_marks);
         layer.tone_end = from.desc.tone_end > layer.tone_begin ? from.desc.tone_end : 1.0F;
     } else {
         layer.direction_function = constant_direction;

@@ -33,8 +33,9 @@ struct GroundTuning {
     // Light that is less than this share below that of open ground is white. Larger: fewer marks at the rims of
     // shadows.
     double white_share = 0.005;
-    // The darkness at which the first stipples of the ground are drawn, at least. Larger: lights are emptier.
-    float first_stipples = 0.08F;
+    // The darkness at which the first stipples of the ground are drawn, and at which its lines of hatching end, at
+    // least. Larger: lights are emptier.
+    float first_marks = 0.08F;
     // Marks on a ground that is seen at a low angle are spread as if its foreshortening were this. Larger: fewer lines
     // and stipples, seen from above.
     double least_foreshortening = 0.2;

@@ -181,3 +181,14 @@ def test_object_of_lines_hides_the_ground():
     assert drawn("silhouette").style.hidden_lines == "hide"
     assert drawn("silhouette", ground=None).style.hidden_lines == drawn("silhouette", hidden_lines="attenuate").style.hidden_lines
     assert drawn("silhouette", hidden_lines="attenuate").style.hidden_lines == "attenuate"
+
+
+def test_weak_shade_leaves_the_ground_white():
+    """Hatching of the ground ends at a darkness of 0.08, or darker: 0.07 below the first tone of an engraving."""
+    images = []
+    for fade in (0.0, 0.07, 0.12):
+        picture = drawn("engraving", set={"hatch.hatch_fade": fade})
+        is_ball = grown(distance_from_ball(*rays(picture)) < 1, 4)
+        images.append((picture.image[..., 0] < 160) & ~is_ball)
+    assert (images[0] != images[1]).sum() > 100
+    assert (images[1] != images[2]).sum() < 10
