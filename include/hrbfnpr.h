@@ -3452,8 +3452,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, cons
  * Ink is in named groups, the layers of a file.  The group of a layer of marks has that layer's name, such as
  * "stipples" or "hatch-2".  Groups of lines are called "contour", "suggestive", "ridge", "valley", "apparent ridge",
  * "parabolic", "isophote", "section", "border", "crease", "shadow", "terminator", "soft edge", or have the name of
- * lines of kind OWN.  Ink behind n layers of surface has " hidden n" at the end of its name.  A second layer of the same
- * name has " 2".
+ * lines of kind OWN.  Ink behind n layers of surface has " hidden n" at the end of its name.  A second layer of the
+ * same name has " 2".
  *
  * Groups follow the layers of the drawing, hidden ones first.  In a group strokes are in order from far to near.  Where
  * inks of several colours lie on each other, groups begin anew with ", run 2" at the end of their names, up to 32 runs,
