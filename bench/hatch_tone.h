@@ -2,7 +2,8 @@
 // The tone of hatching against the tone that its style asks for: one, two and three sets of lines, at three zooms, on a
 // plane with a ramp of tones and on a lit sphere.  Both are averaged over Gaussian windows; sigma is twice the closest
 // spacing of lines, or one separation of the finest lines if that is larger.  A set is asked to cover the share c of
-// the paper (0 below hatch_tone_begin); crossing sets are together asked to cover 1 - prod(1 - c).
+// the paper, which falls to 0 over hatch_fade below hatch_tone_begin; crossing sets are together asked to cover 1 -
+// prod(1 - c).
 #pragma once
 
 #include "analytic.h"
@@ -30,9 +31,13 @@ inline std::int32_t ramp_tones(void*, std::int64_t count, const float* positions
 [[nodiscard]] inline double asked_of(const hrbfnpr_layer_style& layer, double darkness) {
     constexpr double exponent = 1.1;
     const auto begin = static_cast<double>(layer.hatch_tone_begin);
-    if (darkness < begin) return 0.0;
-    const double at = std::min((darkness - begin) / (static_cast<double>(layer.hatch_tone_end) - begin), 1.0);
     const auto low = static_cast<double>(layer.hatch_coverage_begin);
+    if (darkness < begin) {
+        const double fade = std::min(static_cast<double>(layer.hatch_fade), begin);
+        const double left = fade > 0.0 ? std::max(1.0 - (begin - darkness) / fade, 0.0) : 0.0;
+        return static_cast<double>(layer.share) * low * left;
+    }
+    const double at = std::min((darkness - begin) / (static_cast<double>(layer.hatch_tone_end) - begin), 1.0);
     return static_cast<double>(layer.share) *
            (low + (static_cast<double>(layer.hatch_coverage_end) - low) * std::pow(at, exponent));
 }

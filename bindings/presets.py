@@ -49,6 +49,9 @@ def hatching(angle=0.0, name=None, **fields):
 
 # ---- How layers are drawn
 
+# With hatch_fade, lines in the lights become fewer and break, one after the other.  Without it, all would end on one tone, and
+# forms that face the light would be blank.
+
 # A style without contours draws its marks a little larger, so that they reach the rim.
 FULL_RADIUS = 1.1
 
@@ -75,14 +78,14 @@ def even(begin, end, coverage, name=None, **fields):
 
 def crossed(begin, end, coverage, name=None):
     """One of several sets of lines that cross at 30 to 65 degrees.  Each set begins where the set before it is full."""
-    return even(begin, end, coverage, name, hatch_pen=0.6, hatch_spacing=2.6, hatch_coverage_begin=0.09)
+    return even(begin, end, coverage, name, hatch_pen=0.6, hatch_spacing=2.6, hatch_coverage_begin=0.09, hatch_fade=0.09)
 
 
 def pencilled(begin, end, coverage, seed, name=None):
     """Lines that wobble, and run past the tone at which they end."""
     return swelling(begin, end, coverage, name, hatch_coverage_begin=0.08, hatch_pen=0.7, hatch_spacing=2.8,
                     hatch_white=0.6, hatch_taper=4.0, hatch_shortest=9.0, hatch_wobble=1.2, hatch_overshoot=16.0,
-                    hatch_seed=seed, ink=GRAPHITE)
+                    hatch_seed=seed, hatch_fade=0.1, ink=GRAPHITE)
 
 
 # ---- How lines are drawn, for items with a line set
@@ -139,7 +142,7 @@ PRESETS = [
         draws="lines of one width, denser where it is darker, and contours",
         use="Lines around the form, closer together where it is darker: tone and shape from one set of lines.",
         marks=[STIPPLES, hatching()],
-        layers=[hidden("stipples"), even(0.12, 0.95, 0.42, hatch_pen=0.8, hatch_spacing=1.9)],
+        layers=[hidden("stipples"), even(0.12, 0.95, 0.42, hatch_pen=0.8, hatch_spacing=1.9, hatch_fade=0.1)],
         lines=PLAIN_LINES,
         style={"silhouette_radius": 1.2},
     ),
@@ -204,10 +207,10 @@ PRESETS = [
     ),
     Preset(
         "engraving",
-        draws="one set of lines that swell with the tone, and contours; lights stay empty",
+        draws="one set of lines that swell with the tone, and contours; lights have a few broken lines",
         use="Parallel lines that swell with the tone, as in a banknote or an old book.",
         marks=[STIPPLES, hatching()],
-        layers=[swelling(0.15, 0.95, 0.74), hidden("any")],
+        layers=[swelling(0.15, 0.95, 0.74, hatch_fade=0.12), hidden("any")],
         lines=PLAIN_LINES,
         style={"silhouette_radius": 1.2, "hidden_lines": "hide", "occlusion_lights": OCCLUSION},
     ),
@@ -215,10 +218,11 @@ PRESETS = [
         "etching",
         draws="up to three sets of thin lines, at 0, 50 and -40 degrees, each for a darker tone, and contours",
         use="Up to three sets of thin lines that cross each other; dark places have more sets.",
-        # Illustrators leave highlights empty, and let their lines cross at 30 to 60 degrees.
+        # Illustrators leave highlights almost empty, and let their lines cross at 30 to 60 degrees.
         marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(50.0, "hatch-2"), hatching(-40.0, "hatch-3")],
-        layers=[swelling(0.15, 0.55, 0.36, "hatch-1"), swelling(0.40, 0.75, 0.36, "hatch-2"),
-                swelling(0.66, 0.92, 0.36, "hatch-3"), hidden("any")],
+        layers=[swelling(0.15, 0.55, 0.36, "hatch-1", hatch_fade=0.12),
+                swelling(0.40, 0.75, 0.36, "hatch-2", hatch_fade=0.08),
+                swelling(0.66, 0.92, 0.36, "hatch-3", hatch_fade=0.08), hidden("any")],
         lines=PLAIN_LINES,
         style={"silhouette_radius": 1.2, "hidden_lines": "hide", "occlusion_lights": OCCLUSION},
     ),
@@ -228,7 +232,7 @@ PRESETS = [
         use="Few wide lines that close up to black, and heavy contours: posters, small prints.",
         marks=[STIPPLES, hatching()],
         layers=[swelling(0.22, 0.75, 1.0, hatch_spacing=5.0, hatch_pen=0.9, hatch_white=0.0, hatch_taper=20.0,
-                         hatch_shortest=12.0), hidden("any")],
+                         hatch_shortest=12.0, hatch_fade=0.18), hidden("any")],
         lines=with_edges(contour(4.6, outline_factor=1.5, far_factor=FAR), 3.0, 2.2),
         style={"silhouette_radius": 1.2, "hidden_lines": "hide", "occlusion_lights": OCCLUSION},
     ),
@@ -272,7 +276,7 @@ PRESETS = [
         marks=[STIPPLES, hatching(smoothing=0.03, axis_weight=0.02)],
         # Lines are short, and get thinner towards the light.
         layers=[swelling(0.28, 0.92, 0.45, hatch_coverage_begin=0.08, hatch_taper=26.0, hatch_shortest=6.0,
-                         hatch_spacing=3.2), hidden("any")],
+                         hatch_spacing=3.2, hatch_fade=0.1), hidden("any")],
         # The outline is heavy.  Ridges between scars are thin lines.
         lines=[contour(1.8, outline_factor=1.8), {"kind": "ridge", "width": 1.2, "taper": 20.0, "shortest": 12.0},
                {"kind": "crease", "width": 1.2}],

@@ -2180,7 +2180,7 @@ typedef struct hrbfnpr_layer_style {
     float ink[4];       /* colour of the ink, straight RGBA; default black */
     /* SHAPE_HATCH.  Lines cover a share of the paper that grows with the darkness, 1 - tau. */
     float hatch_tone_begin;     /* darkness, 1 - tau, at which lines begin; 0 .. 1; default 0.15.  Larger: lights are
-                                   emptier */
+                                   emptier.  See also hatch_fade */
     float hatch_tone_end;       /* darkness, 1 - tau, from which on lines get no wider; above hatch_tone_begin, up to 1;
                                    default 0.95 */
     float hatch_coverage_begin; /* share of the paper that lines cover at hatch_tone_begin, times `share`; above 0, up
@@ -2201,7 +2201,7 @@ typedef struct hrbfnpr_layer_style {
                                    of hatch_pen; 0 .. 16; default 0.  A swing covers about 60 hatch_pen */
     float hatch_overshoot;      /* greatest length by which a line runs on past the end of its tone, in pixels;
                                    0 .. 16384; default 0.  Each end has another length */
-    uint32_t hatch_seed;        /* seed of hatch_wobble and hatch_overshoot; any number; default 0 */
+    uint32_t hatch_seed;        /* seed of hatch_wobble, hatch_overshoot and hatch_fade; any number; default 0 */
     uint32_t reserved3;
     /* Fields of the point set, by name (hrbfnpr_point_set_with_fields).  They are read during _draw only; default
      * NULL = none.  A value v with the weight w changes what it acts on from x to x + w (v' - x), where v' is what v
@@ -2219,6 +2219,12 @@ typedef struct hrbfnpr_layer_style {
     const char* mask_field;    /* SCALAR: marks with a value below 0.5 are left out, and strokes end there */
     uint32_t tone_field_rule;  /* HRBFNPR_FIELD_RULE_...; default REPLACE */
     uint32_t palette_rule;     /* HRBFNPR_PALETTE_...; default NEAREST */
+    /* SHAPE_HATCH */
+    float hatch_fade; /* range of darkness below hatch_tone_begin over which lines end one after the other; 0 .. 1,
+                         counted up to hatch_tone_begin; default 0 = all lines end at hatch_tone_begin.  Over this range
+                         the share of the paper that lines cover falls evenly to 0: lines become fewer, and break
+                         before they end.  Places with a darkness of 0 stay empty.  Larger: lights are less empty */
+    uint32_t reserved4;
 } hrbfnpr_layer_style;
 
 /* Sets struct_size and all defaults. */
@@ -2449,8 +2455,8 @@ enum {
     HRBFNPR_PRESET_XRAY = 6,                /* contours only; hidden ones are dashed */
     HRBFNPR_PRESET_FULL = 7,                /* stipples, cross hatching in the darks, contours and halos [NPAR, Figure 1
                                                (e)] */
-    HRBFNPR_PRESET_ENGRAVING = 8,           /* one set of lines that swell with the tone, and contours; lights stay
-                                               empty */
+    HRBFNPR_PRESET_ENGRAVING = 8,           /* one set of lines that swell with the tone, and contours; lights have a
+                                               few broken lines */
     HRBFNPR_PRESET_ETCHING = 9,             /* up to three sets of thin lines, at 0, 50 and -40 degrees, each for a
                                                darker tone, and contours */
     HRBFNPR_PRESET_WOODCUT = 10,            /* few wide lines, which close up to black, and heavy contours */

@@ -86,7 +86,9 @@ inline constexpr auto ink = rule::IndexedNumbers{share};
         field("tone_field_rule", &Given::tone_field_rule, &To::tone_field_rule,
               rule::OneOf{HRBFNPR_FIELD_RULE_SCALE, "HRBFNPR_FIELD_RULE_*"}),
         field("palette_rule", &Given::palette_rule, &To::palette_rule,
-              rule::OneOf{HRBFNPR_PALETTE_MIXED, "HRBFNPR_PALETTE_*"})};
+              rule::OneOf{HRBFNPR_PALETTE_MIXED, "HRBFNPR_PALETTE_*"}),
+        field("hatch_fade", &Given::hatch_fade, &To::hatch_fade, share),
+        reserved("reserved4", &Given::reserved4)};
 }
 static_assert(layer_style_fields().covers<hrbfnpr_layer_style>());
 

@@ -21,8 +21,13 @@ inline constexpr std::array<float, 5> hollow = {0.5399F, 1.1747F, -1.5068F, 1.13
     return x * ((hollow[0] + hollow[2] * x + hollow[4] * (x * x)) + std::sqrt(x) * (hollow[1] + hollow[3] * x));
 }
 
-// The coverage for a darkness. Below the darkness at which lines begin, the coverage is that at the beginning.
+// The coverage for a darkness. Below the darkness at which lines begin, the coverage falls evenly to 0 over the style's
+// fade. Without a fade it is that at the beginning.
 [[nodiscard]] inline float hatch_coverage(const LayerStyle& style, float darkness) noexcept {
+    const float fade = std::min(style.hatch_fade, style.hatch_tone_begin);
+    const float below = style.hatch_tone_begin - darkness;
+    if (below > 0.0F && fade > 0.0F)
+        return style.share * style.hatch_coverage_begin * std::max(1.0F - below / fade, 0.0F);
     const float span = style.hatch_tone_end - style.hatch_tone_begin;
     const float at = std::clamp((darkness - style.hatch_tone_begin) / span, 0.0F, 1.0F);
     return style.share *

@@ -73,6 +73,7 @@ TEST_P(HatchLimitsOfLines, DoNotChangeTheDrawing) {
     for (const bool tone_normals : {false, true}) {
         for (const double exponent : {0.5, 1.0, 3.0}) {
             style.tone_exponent = exponent;
+            layer.hatch_fade = exponent == 1.0 ? 0.1F : 0.0F;
             for (int view = 0; view < 12; ++view) {
                 const frame::Camera from = view == 11 ? front_camera(size, size) : camera(0.6 * view, 1.3 + 0.5 * view);
                 set = wound_ball(runtime.memory, true, tone_normals, closed);

@@ -120,9 +120,16 @@ namespace HrbfNpr
         public float HatchOvershoot { get; set; }
 
         /// <summary>
-        /// Seed of <see cref="HatchWobble"/> and <see cref="HatchOvershoot"/>; any number; default 0.
+        /// Seed of <see cref="HatchWobble"/>, <see cref="HatchOvershoot"/> and <see cref="HatchFade"/>; any number;
+        /// default 0.
         /// </summary>
         public uint HatchSeed { get; set; }
+
+        /// <summary>
+        /// <see cref="HrbfNpr.Shape.Hatch"/>: range of darkness below <see cref="HatchToneBegin"/> over which lines become
+        /// fewer, break and end; 0 to 1; default 0 = all lines end at <see cref="HatchToneBegin"/>.
+        /// </summary>
+        public float HatchFade { get; set; }
 
         /// <summary>
         /// Name of the scalar field of the point set by which the share of marks that is shown is multiplied; default
@@ -213,6 +220,7 @@ namespace HrbfNpr
             native->hatch_wobble = HatchWobble;
             native->hatch_overshoot = HatchOvershoot;
             native->hatch_seed = HatchSeed;
+            native->hatch_fade = HatchFade;
             native->tone_field_rule = (uint)ToneFieldRule;
             native->palette_rule = (uint)PaletteRule;
         }
@@ -241,6 +249,7 @@ namespace HrbfNpr
             HatchWobble = native->hatch_wobble;
             HatchOvershoot = native->hatch_overshoot;
             HatchSeed = native->hatch_seed;
+            HatchFade = native->hatch_fade;
             ToneFieldRule = (FieldRule)native->tone_field_rule;
             PaletteRule = (PaletteRule)native->palette_rule;
             DensityField = Utf8Name.Read(native->density_field);

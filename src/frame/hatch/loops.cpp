@@ -138,6 +138,13 @@ void project(const HatchSight& sight, const HatchRows& rows, std::int64_t count)
 // faster.
 constexpr float coverage_coefficients[5] = {0.5399F, 1.1747F, -1.5068F, 1.1364F, -0.3442F};
 
+// Returns the coverage in the lights as a share of that at hatch_tone_begin. It falls from 1 at hatch_tone_begin to 0
+// where the last lines end.
+HWY_INLINE W light_share(const HatchWidthLaw& law, W darkness) {
+    const W above = hn::Sub(darkness, set(law.style->hatch_tone_begin));
+    return clamped(hn::Add(set(1.0F), hn::Mul(above, set(law.per_fade))), 0.0F, 1.0F);
+}
+
 HWY_INLINE W coverage(const HatchWidthLaw& law, W darkness) {
     const LayerStyle& style = *law.style;
     const W begin = set(style.hatch_tone_begin);
@@ -148,7 +155,8 @@ HWY_INLINE W coverage(const HatchWidthLaw& law, W darkness) {
     const W even = hn::Add(line(0), hn::Mul(set(coverage_coefficients[4]), hn::Mul(at, at)));
     const W risen = hn::Mul(at, hn::Add(even, hn::Mul(hn::Sqrt(at), line(1))));
     const W rise = set(style.hatch_coverage_end - style.hatch_coverage_begin);
-    return hn::Mul(set(style.share), hn::Add(set(style.hatch_coverage_begin), hn::Mul(rise, risen)));
+    const W first = hn::Mul(light_share(law, darkness), set(style.hatch_coverage_begin));
+    return hn::Mul(set(style.share), hn::Add(first, hn::Mul(rise, risen)));
 }
 
 void coverage(const HatchWidthLaw& law, const float* darkness, std::int64_t count, float* to) {
@@ -162,18 +170,23 @@ void coverage(const HatchWidthLaw& law, const float* darkness, std::int64_t coun
 struct LevelWidths {
     W lambda; // the number of levels for which there is space
     W full, width, fading;
-    W margin; // The fading level is drawn where this is positive. It has its full width where this is 1.
+    W coarsest; // the margin of lines of level 0
+    W margin;   // The fading level is drawn where this is positive. It has its full width where this is 1.
 };
 
 // Finds the widths of lines. `spacing` is the spacing of level 0 in the picture, in pixels; the lines of levels 0 to k
 // together are 2^k times as close. `gap` is the factor by which the lines around the place are farther apart than
 // `spacing`. The choice of levels does not depend on `gap`.
-HWY_INLINE LevelWidths widths(const HatchWidthLaw& law, W coverage, W spacing, W gap) {
+HWY_INLINE LevelWidths widths(const HatchWidthLaw& law, W darkness, W spacing, W gap) {
     const F d;
     const I i;
     const W one = set(1.0F);
+    const W coverage = hatch_loops::coverage(law, darkness);
+    const W light = light_share(law, darkness);
     const W room = hn::Mul(spacing, hn::Min(set(law.per_spacing), hn::Mul(coverage, set(law.per_pen))));
     LevelWidths w;
+    // In the lights, lines of level 0 end where they would be thinner than half a pen.
+    w.coarsest = hn::Sub(hn::Mul(set(2.0F), hn::Max(room, light)), one);
     w.lambda = hn::IfThenElseZero(hn::Gt(room, one), hn::Min(log2(room), set(law.levels)));
     const auto full = hn::ConvertTo(i, w.lambda);
     w.full = hn::ConvertTo(d, full);
@@ -217,7 +230,7 @@ HWY_INLINE W largest_near(const float* row) {
 // Sets the margin of tone, and sets `least_margin` to the smallest of the margins of tone, rim and picture.
 HWY_INLINE void set_least_margin(const HatchWidthLaw& law, const HatchRows& rows) {
     const F d;
-    const W tone = hn::Sub(hn::LoadU(d, rows[HatchRow::darkness]), set(law.style->hatch_tone_begin));
+    const W tone = hn::Sub(hn::LoadU(d, rows[HatchRow::darkness]), set(law.style->hatch_least()));
     hn::StoreU(tone, d, rows[HatchRow::tone_margin]);
     const W others = hn::Min(hn::LoadU(d, rows[HatchRow::rim_margin]), hn::LoadU(d, rows[HatchRow::picture_margin]));
     hn::StoreU(hn::Min(tone, others), d, rows[HatchRow::least_margin]);
@@ -237,11 +250,12 @@ HWY_INLINE void set_width(const HatchSight& sight, const HatchWidthLaw& law, con
     const W level = row(HatchRow::level);
     const W picture = row(HatchRow::picture_margin);
     const W spacing = spacing_at(sight, rows);
-    const LevelWidths w = widths(law, coverage(law, darkness), spacing, row(HatchRow::gap));
+    const LevelWidths w = widths(law, darkness, spacing, row(HatchRow::gap));
     const M full = hn::Le(level, w.full);
     const M fades = hn::Eq(level, hn::Add(w.full, one));
     const W rest = hn::Sub(hn::Sub(w.lambda, hn::Sub(level, one)), set(hatch_tuning.thinnest_fading));
-    const W margin = hn::IfThenElse(full, one, hn::IfThenElse(fades, w.margin, rest));
+    const W own = hn::IfThenElse(hn::Gt(level, hn::Zero(d)), one, w.coarsest);
+    const W margin = hn::IfThenElse(full, own, hn::IfThenElse(fades, w.margin, rest));
     const W width = hn::IfThenElse(full, w.width, hn::IfThenElseZero(fades, w.fading));
     // For NaN the comparison is false, so NaN counts as turned away.
     const M turned = hn::Not(hn::Lt(row(HatchRow::nu), set(hatch_tuning.widest_nu)));

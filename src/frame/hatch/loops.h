@@ -77,7 +77,7 @@ struct HatchSight {
 struct HatchWidthLaw {
     const LayerStyle* style;
     float levels;
-    float per_tone_span, per_spacing, per_pen; // reciprocals
+    float per_tone_span, per_fade, per_spacing, per_pen; // reciprocals; per_fade is 0 if there is no fade
 };
 
 // A mark may be drawn unless it faces away, where n . sight > away, or is too light, where n . l > lightest.

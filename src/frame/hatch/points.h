@@ -74,6 +74,7 @@ struct HatchStroke {
     base::Array<float> row;              // the memory of HatchRows
     // The stroke's range of positions. If the last mark of a closed stroke coincides with the first, it is left out.
     std::int64_t first = 0, count = 0;
+    float step = 0.0F; // the distance of the stroke's first two marks, in the item's unit
     bool closed = false;
 
     [[nodiscard]] std::int64_t bytes() const noexcept {

@@ -8,9 +8,9 @@
 
 #include "base/assert.h"
 #include "base/prefetch.h"
-#include "base/random.h"
 #include "base/scratch.h"
 #include "features/line_set.h"
+#include "frame/hatch/hand.h"
 #include "frame/hatch/tuning.h"
 
 #include <glm/gtc/matrix_access.hpp>
@@ -67,6 +67,7 @@ struct RunSight {
     // overshoot continues beyond the end of the tone.
     bool is_unsteady;
     float beyond; // the width of the strip around the picture in which lines may end unseen, in pixels
+    HatchLights lights;
     HatchWidthLaw law{};
     // Marks whose n . l is larger than this are too light to be drawn.
     float lightest = std::numeric_limits<float>::infinity();
@@ -106,15 +107,20 @@ RunSight sight_of_run(const HatchView& view, const Run& run, const ItemSight& si
                sight.view_transform.rigid && run.marks->stroke_order.empty(),
                style.hatch_wobble > 0.0F || style.hatch_overshoot > 0.0F,
                std::min(style.hatch_taper + 6.0F * style.hatch_shortest + 4.0F * style.hatch_spacing,
-                        view.scene.lens.diagonal)};
-    v.law = {&style, static_cast<float>(v.levels), 1.0F / (style.hatch_tone_end - style.hatch_tone_begin),
-             1.0F / style.hatch_spacing, 1.0F / style.hatch_pen};
+                        view.scene.lens.diagonal),
+               HatchLights(style)};
+    v.law = {&style,
+             static_cast<float>(v.levels),
+             1.0F / (style.hatch_tone_end - style.hatch_tone_begin),
+             style.hatch_lights() > 0.0F ? 1.0F / style.hatch_lights() : 0.0F,
+             1.0F / style.hatch_spacing,
+             1.0F / style.hatch_pen};
     const bool posed = run.normal != run.marks->normal.data();
     const bool is_shaded = run.shading_of(item) != nullptr;
     const bool is_lit = taus == nullptr && item.style.tone == Tone::light && run.fields.tone == nullptr;
     if (is_lit && !is_shaded && !(posed && run.has_tone_normals())) {
         if (run.has_tone_normals()) v.tone_normal = run.marks->tone_normal.data();
-        v.lightest = lightest_facing(sight.lighting, 1.0F - style.hatch_tone_begin, rounding_of_darkness);
+        v.lightest = lightest_facing(sight.lighting, 1.0F - style.hatch_least(), rounding_of_darkness);
     }
     if (!nested) return v;
     v.separation = static_cast<float>(std::ldexp(run.marks->report.step / item.unit, v.levels));
@@ -150,8 +156,8 @@ bool may_draw_piece(const RunSight& v, const marks::StrokePiece& piece) noexcept
     const float tau = is_lit ? least_tau_of_piece(piece, v.sight, seen) : 0.0F;
     const FieldBounds fields = v.run.field_bounds_of(piece);
     const float darkness = (1.0F - fields.least_tone(tau)) * fields.most_density + rounding_of_margins;
-    if (darkness < v.style.hatch_tone_begin) return false;
-    return !(v.separation > 0.0F) || has_room(v, piece.level, view.nearest, darkness);
+    if (darkness < v.style.hatch_least()) return false;
+    return !(v.separation > 0.0F) || has_room(v, piece.level, view.nearest, v.lights.darkest(darkness));
 }
 
 // Returns a bit for each mark that may be drawn. For a place p of the ball around c, and the eye e, n . (p - e) >= n .
@@ -176,21 +182,21 @@ void find_extent(const RunSight& v, std::int64_t stroke, HatchStroke& seen) noex
     seen.first = v.run.marks->stroke_first[stroke];
     seen.count = std::int64_t{v.run.marks->stroke_first[stroke + 1]} - seen.first;
     seen.closed = false;
-    if (seen.count < hatch_tuning.fewest_of_closed) return;
     const auto place = [&](std::int64_t at) {
         return glm::vec3(glm::dvec3(v.run.position_of(v.run.marks->mark_of(at))) * v.per_unit);
     };
     const glm::vec3 begin = place(seen.first);
-    const glm::vec3 end = place(seen.first + seen.count - 1);
     const glm::vec3 leaves = place(seen.first + 1) - begin;
+    seen.step = glm::length(leaves);
+    if (seen.count < hatch_tuning.fewest_of_closed) return;
+    const glm::vec3 end = place(seen.first + seen.count - 1);
     const glm::vec3 comes = end - place(seen.first + seen.count - 2);
     const float gap = glm::distance(begin, end);
-    const float step = glm::length(leaves);
-    const bool same = gap <= hatch_tuning.same_mark * step;
+    const bool same = gap <= hatch_tuning.same_mark * seen.step;
     const auto goes_on = [&](const glm::vec3& way) {
         return glm::dot(way, begin - end) >= hatch_tuning.closed_cosine * gap * glm::length(way);
     };
-    seen.closed = same || (gap <= hatch_tuning.closed_gap * step && goes_on(leaves) && goes_on(comes));
+    seen.closed = same || (gap <= hatch_tuning.closed_gap * seen.step && goes_on(leaves) && goes_on(comes));
     if (same) --seen.count;
 }
 
@@ -347,8 +353,9 @@ void set_widths_alone(const RunSight& v, std::span<const std::uint32_t> numbers,
     for (std::int64_t i = 0; i < count; ++i) {
         float& picture = rows[HatchRow::picture_margin][i];
         float& width = rows[HatchRow::width][i];
-        rows[HatchRow::tone_margin][i] = darkness[i] - v.style.hatch_tone_begin;
-        rows[HatchRow::level_margin][i] = 1.0F;
+        rows[HatchRow::tone_margin][i] = darkness[i] - v.style.hatch_least();
+        rows[HatchRow::level_margin][i] =
+            std::clamp(1.0F + 2.0F * (darkness[i] - v.style.hatch_tone_begin) * v.law.per_fade, -1.0F, 1.0F);
         width = 0.0F;
         if (picture == hatch_nowhere || !(rows[HatchRow::nu][i] < hatch_tuning.widest_nu)) continue;
         width = 2.0F * v.run.front_ink(numbers[static_cast<std::size_t>(i)], rows[HatchRow::pixels_per_unit][i]) *
@@ -357,8 +364,25 @@ void set_widths_alone(const RunSight& v, std::span<const std::uint32_t> numbers,
     }
 }
 
-void see_marks(const RunSight& v, std::span<const std::uint32_t> numbers, const HatchRows& rows, bool closed) noexcept {
+// Lines of unknown distance from each other count as if their marks were one distance apart.
+void vary_lights_of(const RunSight& v, std::int64_t stroke, const HatchStroke& seen, const HatchRows& rows) noexcept {
+    const float distance = v.separation > 0.0F ? v.separation : seen.step;
+    const auto coarsest = static_cast<int>(std::lround(noise_level(hatch_tuning.break_swing * distance, seen.step)));
+    StrokeNoise noise(v.style.hatch_seed, stroke, seen.closed ? seen.count : 0);
+    std::int64_t at = 0;
+    for (const HatchStroke::Range& range : seen.range) {
+        const std::int64_t count = range.end - range.begin;
+        const auto size = static_cast<std::size_t>(count);
+        vary_lights(v.lights, noise, range.begin - seen.first, coarsest, {rows[HatchRow::level] + at, size},
+                    {rows[HatchRow::darkness] + at, size});
+        at += count;
+    }
+}
+
+void see_marks(const RunSight& v, std::int64_t stroke, const HatchStroke& seen, const HatchRows& rows) noexcept {
+    const std::span<const std::uint32_t> numbers = seen.number.span();
     const auto count = static_cast<std::int64_t>(numbers.size());
+    const bool closed = seen.closed;
     // Sets the positions before the first mark and after the last one, which the computation of widths reads.
     for (const HatchRow row : {HatchRow::x, HatchRow::y, HatchRow::z}) {
         rows[row][-1] = rows[row][closed ? count - 1 : 0];
@@ -375,6 +399,7 @@ void see_marks(const RunSight& v, std::span<const std::uint32_t> numbers, const 
                              rows[HatchRow::side_y], rows[HatchRow::distance], nullptr});
     v.view.loops.project(how, rows, count);
     set_darkness(v, numbers, rows);
+    if (v.style.hatch_lights() > 0.0F) vary_lights_of(v, stroke, seen, rows);
     if (v.separation > 0.0F)
         v.view.loops.set_widths(how, v.law, rows, count, closed);
     else
@@ -518,7 +543,7 @@ bool see_stroke(const RunSight& v, std::int64_t stroke, std::int64_t piece, Hatc
         load_range(v, range.begin, range.end - range.begin, seen.number.data() + at, rows.from(at));
         at += range.end - range.begin;
     }
-    see_marks(v, seen.number.span(), rows, seen.closed);
+    see_marks(v, stroke, seen, rows);
     keep_near(v, rows, seen);
     if (seen.mark.empty()) return false;
     set_ends(v, seen);
@@ -530,66 +555,6 @@ bool see_stroke(const RunSight& v, std::int64_t stroke, std::int64_t piece, Hatc
 // Lengths are rounded to multiples of 1 / this, in pixels. Sums are then exact, and the samples of a chain do not
 // depend on other chains.
 constexpr float length_steps = 1024.0F;
-
-// An unsteady hand: the line wobbles to the side, and continues beyond the end of its tone. Both are smooth noise. It
-// is a function of the mark's index along the stroke, so it stays in place on the surface from frame to frame. As the
-// eye comes nearer, noise of half the wavelength replaces the old noise, so that the wavelength in the picture stays
-// about the same.
-struct HatchHand {
-    float wobble, overshoot;        // in pixels
-    double wobble_level, end_level; // log2 of the wavelength of the noise, in marks
-    std::uint64_t seed, stroke;
-    std::int64_t around; // for a closed stroke, the number of marks after which the noise repeats; else 0
-};
-
-// Returns the hand of a stroke. `step` is the distance between marks, in pixels.
-[[nodiscard]] HatchHand hand_of(const LayerStyle& style, std::int64_t stroke, std::int64_t around,
-                                float step) noexcept {
-    const auto level_of = [&](float swing) {
-        constexpr double least = -8.0;
-        const double marks = static_cast<double>(swing) / static_cast<double>(step);
-        return marks > 0.0 ? std::clamp(std::log2(marks), least, 24.0) : least;
-    };
-    return {style.hatch_wobble * style.hatch_pen,
-            style.hatch_overshoot,
-            level_of(hatch_tuning.wobble_swing * style.hatch_pen),
-            level_of(hatch_tuning.end_swing * style.hatch_overshoot),
-            style.hatch_seed,
-            static_cast<std::uint64_t>(stroke),
-            around};
-}
-
-// Returns noise in [-1, 1] at a position along the stroke. `wanted` is log2 of the wavelength, in marks. The noise
-// blends two uniform cubic B-splines of random numbers, whose wavelengths are the next powers of two below and above.
-// Around a closed stroke, each spline has a whole number of knots.
-[[nodiscard]] double noise(const HatchHand& hand, double mark, double wanted, std::size_t which) noexcept {
-    const auto octave = [&](int level) {
-        double between = std::ldexp(1.0, level) / hatch_tuning.knots_of_swing;
-        std::int64_t knots = 0;
-        if (hand.around > 0) {
-            const auto marks = static_cast<double>(hand.around);
-            const double count = std::max(hatch_tuning.fewest_knots, std::round(marks / between));
-            between = marks / count;
-            knots = static_cast<std::int64_t>(count);
-        }
-        const double first = std::floor(mark / between);
-        const double u = mark / between - first;
-        const double v = 1.0 - u;
-        const double weights[4] = {v * v * v, 4.0 - 3.0 * u * u * (1.0 + v), 4.0 - 3.0 * v * v * (1.0 + u), u * u * u};
-        const std::uint64_t seed = hand.seed | static_cast<std::uint64_t>(level + 64) << 32U;
-        double sum = 0.0;
-        for (int k = 0; k < 4; ++k) {
-            std::int64_t knot = static_cast<std::int64_t>(first) - 1 + k;
-            if (knots > 0) knot = (knot % knots + knots) % knots;
-            const std::uint64_t index = hand.stroke << 32U | static_cast<std::uint32_t>(knot);
-            sum += weights[k] * (2.0 * base::uniform4(seed, index, base::Purpose::hatch_hand)[which] - 1.0);
-        }
-        return sum / 6.0;
-    };
-    const double level = std::floor(wanted);
-    const double share = wanted - level;
-    return (1.0 - share) * octave(static_cast<int>(level)) + share * octave(static_cast<int>(level) + 1);
-}
 
 [[nodiscard]] glm::vec2 place_of(const HatchMark& mark) noexcept { return {mark.x, mark.y}; }
 
@@ -669,14 +634,15 @@ void see_sample(const Marks& m, const MarkPlace& place, HatchSample& sample) noe
 }
 
 // Moves a sample to the side, as the unsteady hand draws it.
-void add_wobble(const Marks& m, const HatchHand& hand, const MarkPlace& place, double mark,
+void add_wobble(const Marks& m, const HatchHand& hand, StrokeNoise& noise, const MarkPlace& place, double mark,
                 HatchSample& sample) noexcept {
     if (!(hand.wobble > 0.0F)) return;
     const glm::vec2 along =
         glm::mix(m.tangent[place.mark], m.tangent[std::min(place.mark + 1, m.size() - 1)], place.share);
     const float length = glm::length(along);
     if (!(length > 0.0F)) return;
-    const float aside = hand.wobble * static_cast<float>(noise(hand, mark, hand.wobble_level, 0)) / length;
+    const float aside =
+        hand.wobble * static_cast<float>(noise.at(mark, hand.wobble_level, StrokeNoise::For::wobble)) / length;
     sample.x -= aside * along.y;
     sample.y += aside * along.x;
 }
@@ -818,7 +784,8 @@ void place_samples(const Marks& m, std::int64_t steps, HatchSamples& to) {
 }
 
 // Adds the samples of a chain. `first_mark` is the index along the stroke of the chain's first mark.
-void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark, HatchSamples& to) {
+void sample_chain(const Marks& m, const HatchHand& hand, StrokeNoise& noise, std::int64_t first_mark,
+                  HatchSamples& to) {
     const float whole = m.length[m.size() - 1];
     const auto steps = std::max<std::int64_t>(static_cast<std::int64_t>(std::ceil(whole / hatch_tuning.step)), 1);
     place_samples(m, steps, to);
@@ -845,10 +812,11 @@ void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark
             for (std::size_t k = 0; k < hatch_margins; ++k)
                 if ((static_cast<unsigned>(to.ends[i]) >> k & 1U) != 0) sample.margin[k] = 0.0F;
         const double mark = static_cast<double>(place.mark + first_mark) + static_cast<double>(place.share);
-        add_wobble(m, hand, place, mark, sample);
+        add_wobble(m, hand, noise, place, mark, sample);
         if (hand.overshoot > 0.0F)
             sample.overshoot =
-                hand.overshoot * static_cast<float>(std::clamp(0.5 + noise(hand, mark, hand.end_level, 1), 0.0, 1.0));
+                hand.overshoot * static_cast<float>(std::clamp(
+                                     0.5 + noise.at(mark, hand.end_level, StrokeNoise::For::overshoot), 0.0, 1.0));
         // The width of a sample is the mean over a step around it. Otherwise widths would flicker between frames,
         // because widths vary from mark to mark and samples move.
         const float reach = std::min({half_step, at[i], whole - at[i]});
@@ -876,9 +844,9 @@ void sample_stroke(const LayerStyle& style, std::int64_t number, const HatchStro
         chain.begins = stroke.begins;
         chain.ends = stroke.ends;
         const float steps = static_cast<float>(own.size() - 1);
-        const HatchHand hand =
-            hand_of(style, number, stroke.closed ? stroke.count : 0, to.length[to.length.size() - 1] / steps);
-        sample_chain({own, to.length.data(), to.area.data(), to.tangent.data()}, hand, stroke.first_kept, to);
+        const HatchHand hand(style, to.length[to.length.size() - 1] / steps);
+        StrokeNoise noise(style.hatch_seed, number, stroke.closed ? stroke.count : 0);
+        sample_chain({own, to.length.data(), to.area.data(), to.tangent.data()}, hand, noise, stroke.first_kept, to);
         chain.count = to.sample.size() - chain.first;
         to.chain.push_back(chain);
     }

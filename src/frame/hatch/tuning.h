@@ -129,6 +129,15 @@ struct HatchTuning {
     double knots_of_swing = 3.0;
     double fewest_knots = 4.0;
 
+    // ---- Lights
+
+    // In the lights, the coverage at a place of a line is up to this share higher or lower than the tone asks for.
+    // Larger: ends of neighbouring lines are farther apart, and lines are more broken.
+    float break_range = 1.0F;
+    // The wavelength of the noise that breaks a line, in distances from the line to others of its level. Larger: fewer
+    // and longer parts.
+    float break_swing = 12.0F;
+
     // ---- Edges that hide lines
 
     // An edge is in front of a line if it is nearer to the eye by more than this, in pixels. Larger: creases of the

@@ -73,6 +73,7 @@ base::Array<double> still_key(base::Memory& memory, const Still& still) {
         add(layer.radius);
         add(layer.radius_zoom);
         add(layer.hatch_tone_begin);
+        add(layer.hatch_fade);
         add(layer.tone_field != nullptr);
         for (const char letter : std::string_view(layer.name != nullptr ? layer.name : "")) add(letter);
         add(layer.name != nullptr); // Ends the name.
@@ -158,7 +159,7 @@ float StillNeed::share_of_ink(const marks::Extent& extent, const ClusterView& at
     const bool is_bounded = style.tone == Tone::light && !shows_back && layer_.style->tone_field == nullptr;
     const float darkness = 1.0F - (is_bounded ? least_tau(extent, view_.sight, nothing) : 0.0F);
     if (layer_.kind != marks::Kind::stipples)
-        return layer_.style->shape == Shape::hatch && darkness < layer_.style->hatch_tone_begin ? 0.0F : 1.0F;
+        return layer_.style->shape == Shape::hatch && darkness < layer_.style->hatch_least() ? 0.0F : 1.0F;
     float shown = darkness;
     if (style.tone_curve == ToneCurve::coverage) {
         if (!layer_.makes_tone_alone) return 1.0F;

@@ -63,6 +63,12 @@ struct LayerStyle {
     const char* mask_field = nullptr;
     FieldRule tone_field_rule = FieldRule::replace;
     PaletteRule palette_rule = PaletteRule::nearest;
+    float hatch_fade = 0.0F;
+
+    // Returns the range of darkness over which lines of hatching end.
+    [[nodiscard]] float hatch_lights() const noexcept { return std::min(hatch_fade, hatch_tone_begin); }
+    // Returns the darkness at which the last lines of hatching end.
+    [[nodiscard]] float hatch_least() const noexcept { return hatch_tone_begin - hatch_lights(); }
 
     [[nodiscard]] bool is_for(const marks::Layer& layer) const noexcept {
         return (kind == marks::Kind::any || kind == layer.kind) &&
