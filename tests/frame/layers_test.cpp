@@ -2,6 +2,7 @@
 // Tests what layers of surface hide and dim, against lines of sight through known solids.
 #include "frame/line_of_sight.h"
 #include "frame/scene/light.h"
+#include "support/analytic.h"
 
 #include <gtest/gtest.h>
 
@@ -353,6 +354,45 @@ TEST_F(LayersTest, AHaloHasItsWidthAtAnyZoom) {
             }
         }
     }
+}
+
+// If the contour is drawn as a line, its halo is at most three times as wide as the line.
+TEST_F(LayersTest, AHaloFadesWithItsLine) {
+    test::SquareSphere ball;
+    curves::LineSetSettings settings;
+    settings.side = 0.1;
+    const curves::LineSet lines(runtime, ball, std::make_unique<implicit::DifferencedShape>(ball), settings);
+    const marks::PointSet disc = clustered(runtime, sphere(runtime.memory, 60000));
+    const marks::PointSet wall = clustered(runtime, plane(runtime.memory, 700));
+    glm::dmat4 half_size(0.5);
+    half_size[3][3] = 1.0;
+    // Returns the median distance of the wall's ink from the contour, over 90 directions.
+    const auto gap_beside = [&](const frame::LineStyle& line) {
+        Style style = all_front(HiddenLines::hide);
+        style.halo_width = 6.0F;
+        std::array items{layered_item(wall, style, shifted({0.0, 0.0, -2.0})), layered_item(disc, style, half_size)};
+        items[1].lines = &lines;
+        items[1].style.lines = std::span(&line, 1);
+        draw(items, front_camera(600, 600));
+        std::array<double, 90> nearest{};
+        nearest.fill(1e9);
+        for (const Disc& d : frame.discs()) {
+            if (d.id > 490000U || d.color.w < 0.05F) continue;
+            const double x = static_cast<double>(d.x) - 300.0;
+            const double y = static_cast<double>(d.y) - 300.0;
+            const auto way = static_cast<std::size_t>((std::atan2(y, x) + pi) / (2.0 * pi) * 89.999);
+            nearest[way] = std::min(nearest[way], std::hypot(x, y) - 120.0);
+        }
+        std::nth_element(nearest.begin(), nearest.begin() + 45, nearest.end());
+        return nearest[45];
+    };
+    frame::LineStyle line;
+    line.width = 3.0F;
+    EXPECT_NEAR(gap_beside(line), 6.0, 1.5);
+    line.width = 1.5F;
+    EXPECT_NEAR(gap_beside(line), 4.5, 1.0);
+    line.width = 0.1F;
+    EXPECT_LT(gap_beside(line), 2.0);
 }
 
 TEST_F(LayersTest, InstancesLookLikeSeparateSets) {

@@ -168,8 +168,15 @@ struct RunView {
     const ItemInk& ink;
     const TransmittanceTable& transmittance;
     const Gathering& all;
-    std::uint32_t layer; // the index of the run's layer in the drawing
+    std::uint32_t layer;         // the index of the run's layer in the drawing
+    const NearerEdges* contours; // the lines that have halos; NULL if contours are not drawn as lines
 };
+
+// Returns whether contours of an item are drawn as lines.
+[[nodiscard]] bool draws_contours(const ItemView& item) noexcept {
+    const auto is_contour = [](const LineStyle& line) { return line.kind == LineKind::contour; };
+    return item.lines != nullptr && std::any_of(item.style.lines.begin(), item.style.lines.end(), is_contour);
+}
 
 // Where the next dot and the next splat are stored, and the current counts.
 struct GatherOutput {
@@ -331,10 +338,15 @@ void set_halo(const RunView& v, const VisibleCluster& visible, const ProjectedMa
     // There is no halo where the depth changes too fast along the contour, or where the normal has no direction in the
     // picture.
     if (!(std::abs(slope) <= layer_tuning.steepest_contour) || !(side > 0.0F)) return;
-    c.halo = width;
     c.halo_transmittance = v.transmittance.halo;
     c.halo_x = c.x + away * projected.side_x[i] / side;
     c.halo_y = c.y - away * projected.side_y[i] / side;
+    c.halo = width;
+    // The halo ends where the line ends, and narrows where it fades.
+    if (v.contours != nullptr)
+        c.halo = std::min(width, layer_tuning.halo_per_width *
+                                     v.contours->width_near({c.halo_x, c.halo_y}, layer_tuning.farthest_line + width));
+    if (!(c.halo > 0.0F)) return;
     // Where the surface bends little, its marks give only a rough distance to the contour. The slack moves the halo
     // away from the eye, so that it is behind the contour's own line and behind surfaces at nearly the same depth.
     const float slack = std::sqrt(2.0F * layer_tuning.contour_band * (1.0F / bend)) + std::abs(slope) * c.halo;
@@ -559,7 +571,8 @@ void gather_cluster(const RunView& v, const marks::Cluster& cluster, const Proje
 
 } // namespace
 
-void gather(const base::Runtime& runtime, const Scene& scene, Gathering& all, drawing::Drawing& drawing) {
+void gather(const base::Runtime& runtime, const Scene& scene, const NearerEdges& edges, Gathering& all,
+            drawing::Drawing& drawing) {
     const ProjectionLoops loops = projection_loops(runtime.instruction_set);
     set_up_items(scene, all);
     const std::int64_t unused = add_tasks(scene, all.tasks);
@@ -583,7 +596,8 @@ void gather(const base::Runtime& runtime, const Scene& scene, Gathering& all, dr
                            all.inks[run.item],
                            all.transmittances[all.transmittance_of[run.item]],
                            all,
-                           static_cast<std::uint32_t>(task.run)};
+                           static_cast<std::uint32_t>(task.run),
+                           draws_contours(scene.item_of(run)) ? &edges : nullptr};
         const std::int64_t place = run.first_place + clusters.cluster[task.begin].block * MarkBlock::size;
         GatherOutput out{drawing.dots.data() + place,
                          run.even_in_picture ? all.even.data() + place : nullptr,

@@ -7,6 +7,7 @@
 #include "base/runtime.h"
 #include "drawing/drawing.h"
 #include "frame/depth_layers/even.h"
+#include "frame/hatch/strokes.h"
 #include "frame/scene/ink.h"
 #include "frame/scene/scene.h"
 
@@ -78,7 +79,9 @@ struct Gathering {
     }
 };
 
-// Makes the drawing's dots, splats and counts. Throws Error{callback, out_of_memory}.
-void gather(const base::Runtime& runtime, const Scene& scene, Gathering& gathering, drawing::Drawing& drawing);
+// Makes the drawing's dots, splats and counts. `edges` are those of the drawn lines. If contours of an item are drawn
+// as lines, only these lines have halos. Throws Error{callback, out_of_memory}.
+void gather(const base::Runtime& runtime, const Scene& scene, const NearerEdges& edges, Gathering& gathering,
+            drawing::Drawing& drawing);
 
 } // namespace hrbfnpr::frame

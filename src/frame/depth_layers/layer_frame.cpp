@@ -368,7 +368,9 @@ void LayerFrame::run(const Scene& scene, const LineStrokes& lines, const base::P
     drawing.first_pixel = glm::ivec2(std::floor(v.x), std::floor(v.y));
     drawing.pixels = glm::ivec2(std::ceil(v.x + v.z), std::ceil(v.y + v.w)) - drawing.first_pixel;
     base::Stopwatch watch;
-    gather(runtime_, scene, gathering_, drawing);
+    edges_.clear();
+    if (!lines.strokes.empty()) edges_.build(lines, drawing.layers.span(), scene.lens.viewport);
+    gather(runtime_, scene, edges_, gathering_, drawing);
     even_order_.run(runtime_, scene, gathering_.even.span(), drawing);
     const std::int64_t gathered = drawing.dot_ranges.size();
     hatch_points_.run({scene, gathering_.sights.span(), gathering_.frustum, gathering_.tau.span()}, drawing);
@@ -386,9 +388,6 @@ void LayerFrame::run(const Scene& scene, const LineStrokes& lines, const base::P
 
     progress.update(layer_tuning.dimmed_share);
     watch.restart();
-    edges_.clear();
-    if (!hatch_points_.batches().empty() && !lines.strokes.empty())
-        edges_.build(lines, drawing.layers.span(), scene.lens.viewport);
     const std::span<const float> largest = drawing.has_splats ? layers_.largest.span() : std::span<const float>();
     make_strokes(runtime_, scene, {edges_, drawing, largest}, hatch_points_.batches(), drawing);
     join_dots(scene, drawing);

@@ -64,6 +64,12 @@ struct LayerTuning {
     // marks have the splat spacing of the contour. Larger: halos have fewer gaps and are less exact, and there are more
     // splats.
     float contour_band = 1.0F;
+    // A halo is at most this many times as wide as the line of its contour, so that it fades with the line. Larger:
+    // halos of thin lines are wider.
+    float halo_per_width = 3.0F;
+    // The line of a contour is at most a halo's width and this far, in pixels, from the place where marks put the
+    // contour. Larger: halos continue beyond the ends of lines. Smaller: halos have gaps.
+    float farthest_line = 4.0F;
     // A contour has no halo where its depth changes by more than this per pixel. Larger: halos continue farther along
     // such a contour, and may hide the contour's own line.
     float steepest_contour = 8.0F;

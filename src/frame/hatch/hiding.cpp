@@ -137,7 +137,8 @@ void NearerEdges::build(const LineStrokes& lines, std::span<const drawing::Layer
                                   {point[i + 1].x, point[i + 1].y},
                                   point[i].depth,
                                   point[i + 1].depth,
-                                  is_crease};
+                                  is_crease,
+                                  std::max(point[i].radius, point[i + 1].radius)};
             if (glm::all(glm::lessThan(glm::min(edge.a, edge.b), high)) &&
                 glm::all(glm::greaterThan(glm::max(edge.a, edge.b), low)))
                 edges_.push_back(edge);
@@ -167,6 +168,15 @@ bool NearerEdges::is_near(const Dot& dot, float reach, float halo) const noexcep
         found = nearer > hatch_tuning.least_depth_gap && square <= limit * limit;
     });
     return found;
+}
+
+float NearerEdges::width_near(const glm::vec2& at, float reach) const noexcept {
+    float widest = 0.0F;
+    if (empty()) return widest;
+    for_near(at - reach, at + reach, [&](const NearerEdge& edge) {
+        if (geometry::distance_to_segment(at, edge.a, edge.b) <= reach) widest = std::max(widest, 2.0F * edge.radius);
+    });
+    return widest;
 }
 
 float NearerEdges::entry(const Dot& a, const Dot& b, float halo) const noexcept {

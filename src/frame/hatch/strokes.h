@@ -30,6 +30,7 @@ struct NearerEdge {
     glm::vec2 a, b;
     float depth_a, depth_b;
     bool is_crease;
+    float radius; // half the width of the line there, in pixels
 };
 
 class NearerEdges {
@@ -49,6 +50,9 @@ public:
     // Returns the share of the way from a to b at which the line first reaches an edge in front of it, or the halo of
     // such an edge. Returns `nowhere` if it reaches none. Edges whose halo contains a are ignored.
     [[nodiscard]] float entry(const drawing::Dot& a, const drawing::Dot& b, float halo) const noexcept;
+
+    // Returns the largest width of the edges within `reach` of a place in the picture, in pixels; 0 if there are none.
+    [[nodiscard]] float width_near(const glm::vec2& at, float reach) const noexcept;
 
     // Returns the largest radius, up to `radius`, of a line through the point in the direction `along`. The line must
     // cover no edge in front of it, no halo of such an edge, and no crease of the point's surface.
