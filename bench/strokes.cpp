@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Lines of hatching: how evenly they lie, where they end and turn.
 // --models=DIR: points to fit as well; --named=TEXT: only models with TEXT in the name; --only=PART,...: any of
-// surface, tone, screen, ends, sizes, pops, frame; --head=FILE: a PLY of points with normals for the times of frames
-// (default: a generated surface).
+// surface, tone, screen, ends, sizes, pops, flecks, frame; --head=FILE: a PLY of points with normals for the times of
+// frames (default: a generated surface); --meshes=DIR: OBJ and PLY meshes whose flecks are counted as well.
 #include "calls.h"
+#include "fleck_pictures.h"
 #include "hatch_frame_time.h"
 #include "hatch_frames.h"
 #include "hatch_tone.h"
@@ -11,6 +12,7 @@
 #include "line_models.h"
 #include "line_singularities.h"
 #include "line_views.h"
+#include "read_meshes.h"
 #include "stroke_spacing.h"
 #include "timing.h"
 
@@ -159,7 +161,7 @@ struct Results {
 };
 
 struct Settings {
-    std::string models, named, only;
+    std::string models, meshes, named, only;
 
     // No part's name is contained in another's.
     [[nodiscard]] bool wants(const char* part) const { return only.empty() || only.find(part) != std::string::npos; }
@@ -310,6 +312,35 @@ void run_pops(hrbfnpr_context* context, const Settings& settings, Results& resul
     results.add("zoom_removals", zoom.removal_rate());
 }
 
+[[nodiscard]] std::vector<std::pair<std::string, bench::PictureMesh>> fleck_meshes(const Settings& settings) {
+    std::vector<std::pair<std::string, bench::PictureMesh>> meshes;
+    meshes.emplace_back("organic", bench::organic(5000));
+    meshes.emplace_back("knot", bench::fleck_knot());
+    meshes.emplace_back("cad", bench::cad_part());
+    if (!settings.meshes.empty())
+        for (const auto& [name, triangles] : bench::read_meshes(settings.meshes, ""))
+            meshes.emplace_back(name, bench::fleck_mesh(triangles));
+    std::erase_if(meshes, [&](const auto& mesh) { return mesh.first.find(settings.named) == std::string::npos; });
+    if (meshes.empty()) throw std::runtime_error("no mesh has that in its name");
+    return meshes;
+}
+
+void run_flecks(hrbfnpr_context* context, const Settings& settings, Results& results) {
+    std::printf("\nwhite flecks of engravings of 1000 pixels\n%-24s %8s %12s %14s\n", "mesh", "flecks", "dark px",
+                "per 1000 px");
+    double flecks = 0.0;
+    double dark = 0.0;
+    for (const auto& [name, mesh] : fleck_meshes(settings)) {
+        const bench::Flecks found = bench::flecks_of(context, mesh);
+        const auto count = static_cast<double>(found.fleck.size());
+        std::printf("%-24s %8.0f %12.0f %14.3f\n", name.c_str(), count, found.dark, 1000.0 * count / found.dark);
+        std::fflush(stdout);
+        flecks += count;
+        dark += found.dark;
+    }
+    results.add("flecks_per_1000_px", 1000.0 * flecks / dark);
+}
+
 // Times frames on two threads, so that machines can be compared.
 void time_frames(const std::string& head, Results& results) {
     const scenes::Context context = bench::make_context(2);
@@ -325,8 +356,8 @@ void time_frames(const std::string& head, Results& results) {
 
 int main(int argc, char** argv) {
     try {
-        const Settings settings{bench::option(argc, argv, "--models="), bench::option(argc, argv, "--named="),
-                                bench::option(argc, argv, "--only=")};
+        const Settings settings{bench::option(argc, argv, "--models="), bench::option(argc, argv, "--meshes="),
+                                bench::option(argc, argv, "--named="), bench::option(argc, argv, "--only=")};
         const scenes::Context context = bench::make_context();
         Results results;
         if (settings.wants("surface")) run_surface(context.get(), settings, results);
@@ -335,6 +366,7 @@ int main(int argc, char** argv) {
         if (settings.wants("ends")) run_ends(context.get(), settings, results);
         if (settings.wants("sizes")) run_sizes(context.get(), settings, results);
         if (settings.wants("pops")) run_pops(context.get(), settings, results);
+        if (settings.wants("flecks")) run_flecks(context.get(), settings, results);
         if (settings.wants("frame")) time_frames(bench::option(argc, argv, "--head="), results);
         std::printf("\n");
         for (const auto& [name, value] : results.pairs) bench::report(name.c_str(), value);
