@@ -4,6 +4,7 @@
 //   field.h       even samples -> a graph of neighbours -> a smooth field of lines -> waves on the samples, of the
 //                 longest period, of half of it, and so on -> waves on a mesh
 //   lines.h       the crests of the finest wave -> lines -> joined ends -> even distances -> marks on the surface
+//   forks.h       strays at cracks of the mesh are left out, and ends are continued into forks
 #pragma once
 
 #include "curves/surface_mesh.h"

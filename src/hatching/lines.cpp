@@ -10,6 +10,7 @@
 #include "curves/mesh_edges.h"
 #include "geometry/long_vec_array.h"
 #include "geometry/point_grid.h"
+#include "hatching/forks.h"
 #include "hatching/tuning.h"
 #include "surface/creased.h"
 #include "surface/sheets_meet.h"
@@ -158,11 +159,20 @@ void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int
     }
 }
 
+// Returns the bits of Lines::border.
+std::uint8_t border_bits(bool begins, bool ends) noexcept {
+    return static_cast<std::uint8_t>((begins ? Lines::begins_at_border : 0U) | (ends ? Lines::ends_at_border : 0U));
+}
+
 // Follows the links, first of open lines, from one end, then of closed lines. Lines that cross only one edge are left
 // out.
 Lines follow_crests(const curves::SurfaceMesh& mesh, const Crossings& found, const base::Progress& progress) {
     Lines lines(mesh.position.memory());
     base::Array<std::uint8_t> taken(mesh.position.memory(), found.crossing.size());
+    const auto is_at_border = [&](std::int64_t crossing) {
+        const std::int64_t* const next = std::upper_bound(found.first.begin(), found.first.end(), crossing);
+        return opposite_of(mesh, next - found.first.begin() - 1) < 0;
+    };
     const auto follow = [&](std::int64_t from) {
         std::int64_t last = -1;
         std::int64_t at = from;
@@ -174,7 +184,8 @@ Lines follow_crests(const curves::SurfaceMesh& mesh, const Crossings& found, con
                             progress);
             taken[at] = 1;
             const std::int64_t next = found.link[2 * at] != last ? found.link[2 * at] : found.link[2 * at + 1];
-            if (next < 0 || taken[next] != 0) return lines.end_line(next == from);
+            if (next < 0 || taken[next] != 0)
+                return lines.end_line(next == from, border_bits(is_at_border(from), is_at_border(at)));
             last = at;
             at = next;
         }
@@ -214,15 +225,16 @@ LineEnds ends_of(const Lines& lines, double reach) {
     return ends;
 }
 
-// Returns whether two ends face each other. The direction of a very small gap means nothing, so over such a gap only
-// the directions of the ends are compared, with a larger tolerance.
+// Returns whether two ends face each other: their directions are opposite, and the gap between them leads less to the
+// side than the next line is away.
 bool face_each_other(const LineEnds& ends, std::int64_t a, std::int64_t b, double reach) noexcept {
     const glm::dvec3 gap = ends.place[b] - ends.place[a];
-    const double length = glm::length(gap);
-    if (length < hatching_tuning.touching_gap * reach)
-        return glm::dot(ends.direction[a], ends.direction[b]) < -hatching_tuning.touching_cosine;
-    const double least = hatching_tuning.facing_cosine * length;
-    return length <= reach && glm::dot(ends.direction[a], gap) > least && glm::dot(ends.direction[b], gap) < -least;
+    if (!(glm::dot(ends.direction[a], ends.direction[b]) < -hatching_tuning.facing_cosine)) return false;
+    for (const std::int64_t end : {a, b}) {
+        const double ahead = glm::dot(ends.direction[end], gap);
+        if (!(glm::length(gap - ahead * ends.direction[end]) <= hatching_tuning.farthest_aside * reach)) return false;
+    }
+    return glm::length(gap) <= reach;
 }
 
 // Returns for each end the end that it is joined to, or -1. The nearest pairs are joined first.
@@ -328,18 +340,6 @@ void set_across(const Lines& lines, const LineRange& line, geometry::VecArray& a
 }
 
 // ---- Neighbours
-
-// A place on a neighbouring line, between two of its points.
-struct Neighbour {
-    std::int32_t from = -1, to = -1; // -1 if there is no neighbouring line
-    float share = 0.0F;              // the position between the two points: 0 at `from`, 1 at `to`
-    float gap = 0.0F;                // the distance to the neighbouring line, in separations
-    float sense = 0.0F;              // 1 if the neighbouring line's `across` points to the same side, else -1
-};
-
-// The neighbours of each point: first on the side opposite to its `across` direction, then on the side of this
-// direction.
-using LineNeighbours = base::Array<std::array<Neighbour, 2>>;
 
 // Finds the neighbours of points: on each side, the nearest place where the plane perpendicular to the line meets
 // another line, or a distant part of the same line.
@@ -713,10 +713,11 @@ void Lines::add_point(const glm::dvec3& at, const glm::dvec3& its_normal, std::u
     progress.check();
 }
 
-void Lines::end_line(bool is_closed) {
+void Lines::end_line(bool is_closed, std::uint8_t its_border) {
     HRBFNPR_ASSERT(position.size() > first[count()]);
     first.push_back(position.size());
     closed.push_back(is_closed ? 1 : 0);
+    border.push_back(its_border);
 }
 
 Lines find_crests(const base::Work& work, const curves::SurfaceMesh& mesh, const Waves& waves, int levels) {
@@ -737,16 +738,21 @@ Lines join_ends(const Lines& lines, double reach, const base::Progress& progress
     Lines result(lines.first.memory());
     base::Array<std::uint8_t> taken(lines.first.memory(), lines.count());
     // Follows the line that has this end, then the line that is joined to its other end, and so on.
+    const auto is_at_border = [&](std::int64_t end) {
+        return (lines.border[end / 2] & (end % 2 == 0 ? Lines::begins_at_border : Lines::ends_at_border)) != 0;
+    };
     const auto follow = [&](std::int64_t from) {
         std::int64_t end = from;
+        std::int64_t other = from; // the other end of the line added last
         bool closed = lines.closed[from / 2] != 0;
         while (end >= 0 && taken[end / 2] == 0) {
             taken[end / 2] = 1;
             add_line_from_end(lines, ends, end, result, progress);
-            end = partner[end ^ 1];
+            other = end ^ 1;
+            end = partner[other];
             closed = closed || end == from;
         }
-        result.end_line(closed);
+        result.end_line(closed, border_bits(is_at_border(from), is_at_border(other)));
     };
     for (const bool open : {true, false})
         for (std::int64_t end = 0; end < ends.place.size(); ++end)
@@ -766,7 +772,8 @@ Lines resampled(const Lines& lines, double step, double shortest, const base::Pr
         };
         double length = 0.0;
         for (std::int64_t k = 0; k < legs; ++k) length += leg(k);
-        if (!(length >= shortest)) continue;
+        const bool crosses_face = lines.border[l] == (Lines::begins_at_border | Lines::ends_at_border);
+        if (!(length >= shortest) && !(crosses_face && length > hatching_tuning.least_step * step)) continue;
         const auto steps = static_cast<std::int64_t>(std::max(2.0, std::round(length / step)));
         std::int64_t k = 0;
         double before = 0.0; // the length of the line up to point k
@@ -780,7 +787,7 @@ Lines resampled(const Lines& lines, double step, double shortest, const base::Pr
                              glm::normalize(glm::mix(lines.normal[from], lines.normal[to], share)),
                              lines.level[share < 0.5 ? from : to], progress);
         }
-        result.end_line(lines.closed[l] != 0);
+        result.end_line(lines.closed[l] != 0, lines.border[l]);
     }
     return result;
 }
@@ -802,12 +809,17 @@ Lines even_out(const base::Work& work, const Lines& given, double separation) {
     LineNeighbours neighbours(work.memory);
     base::resize_long(neighbours, lines.position.size(), work);
     const NeighbourSearch search(work, lines, across, separation);
-    for (int round = 0; round < hatching_tuning.rounds; ++round) {
+    const auto find = [&](bool again) {
         for_lines(work, lines, [&](const LineRange& line) { set_across(lines, line, across); });
-        if (round == 0)
-            search.find(work, neighbours);
-        else
+        if (again)
             search.find_again(work, neighbours);
+        else
+            search.find(work, neighbours);
+    };
+    base::Array<std::uint8_t> stray(work.memory);
+    for (int round = 0; round < hatching_tuning.rounds; ++round) {
+        find(round > 0);
+        if (round == 0) stray = find_strays(work, lines, neighbours, hatching_tuning.shortest_line * separation);
         const base::Array<float> move = even_moves(work, lines, neighbours);
         for_lines(work, lines, [&](const LineRange& line) {
             for (std::int64_t i = line.begin; i < line.end; ++i)
@@ -815,7 +827,8 @@ Lines even_out(const base::Work& work, const Lines& given, double separation) {
         });
     }
     straighten(work, lines, across);
-    return lines;
+    find(true);
+    return continue_into_forks(work, lines, neighbours, stray, separation);
 }
 
 void add_line_marks(const marks::Site& site, const Lines& given, double separation, double step,

@@ -3,7 +3,7 @@
 //   find_crests: waves at the vertices of a mesh -> lines along the crests of the finest wave
 //   join_ends: lines whose ends face each other over a small gap -> one line
 //   resampled: lines -> the same lines with points a step apart
-//   even_out: lines -> the same lines, moved to the middle between their neighbours
+//   even_out: lines -> the same lines, moved to the middle between their neighbours, and continued into forks
 //   add_line_marks: lines -> marks on the surface
 #pragma once
 
@@ -13,8 +13,12 @@
 namespace hrbfnpr::hatching {
 
 struct Lines {
+    // The bits of `border`.
+    static constexpr std::uint8_t begins_at_border = 1;
+    static constexpr std::uint8_t ends_at_border = 2;
+
     explicit Lines(base::Memory& memory)
-        : first(memory), closed(memory), position(memory), normal(memory), level(memory) {
+        : first(memory), closed(memory), border(memory), position(memory), normal(memory), level(memory) {
         first.push_back(0);
     }
 
@@ -23,10 +27,12 @@ struct Lines {
     void add_point(const glm::dvec3& at, const glm::dvec3& its_normal, std::uint8_t its_level,
                    const base::Progress& progress);
     // Ends a line. The line consists of the points that were added since the previous line ended.
-    void end_line(bool is_closed);
+    void end_line(bool is_closed, std::uint8_t its_border = 0);
 
     base::Array<std::int64_t> first;  // the index of the first point of each line; at the end, the number of points
     base::Array<std::uint8_t> closed; // for each line: 1 if it is closed, else 0
+    // For each line: bits that tell which of its ends are at the mesh's border, where a face or the surface ends.
+    base::Array<std::uint8_t> border;
     geometry::VecArray position;
     geometry::VecArray normal;       // for each point: the unit normal of the surface, approximately
     base::Array<std::uint8_t> level; // for each point: the index of the coarsest wave that has a crest there
@@ -42,7 +48,8 @@ struct Lines {
 [[nodiscard]] Lines join_ends(const Lines& lines, double reach, const base::Progress& progress);
 
 // Returns the lines with new points at equal distances along each line. The distance is `step`, rounded so that it
-// divides the length of the line. Lines shorter than `shortest` are left out.
+// divides the length of the line. Lines shorter than `shortest` are left out, except those with both ends at the mesh's
+// border: they cross a narrow face.
 [[nodiscard]] Lines resampled(const Lines& lines, double step, double shortest, const base::Progress& progress);
 
 // Moves lines sideways, so that they are evenly spaced. The amounts change slowly along each line, so that lines do not

@@ -115,12 +115,10 @@ struct HatchingTuning {
     // Ends are joined over gaps of at most this, in separations. The lengths below are shares of this gap. Larger:
     // fewer and longer lines, which may bend where they are joined.
     double widest_gap = 2.0;
-    // Two ends face each other if the cosine between the direction of each end and the gap is at least this.
-    double facing_cosine = 0.95;
-    // Over gaps shorter than `touching_gap`, only the directions of the two ends are compared: the cosine of the angle
-    // by which the joined line would turn must be above `touching_cosine`.
-    double touching_gap = 0.2;
-    double touching_cosine = 0.8;
+    // Two ends face each other if the cosine of the angle by which the joined line would turn is above this, and if the
+    // gap leads to the side by at most `farthest_aside`. Larger offset: lines of neighbouring rows are joined, too.
+    double facing_cosine = 0.8;
+    double farthest_aside = 0.35;
     // The direction of an end is measured over this length of the line, as a share of `widest_gap`.
     double end_length = 0.5;
 
@@ -165,6 +163,18 @@ struct HatchingTuning {
     float singular_turn = 1.2F;
     // The largest number of rounds in which a line is straightened.
     int straightenings = 40;
+
+    // ---- Narrow faces and forks; lengths are in separations
+
+    // A line shorter than `shortest_line` that crosses a narrow face is left out if another line is nearer than this.
+    // Larger: gaps between lines across narrow faces. Smaller: dots at cracks of the mesh.
+    float nearest_across_face = 0.6F;
+    // At a fork, a line is continued while the lines beside it are farther apart than `least_room`, by at most
+    // `longest_fork`. Larger least_room: forks leave larger white spots. Smaller: they leave dark spots.
+    double least_room = 1.1;
+    double longest_fork = 4.0;
+    // If the lines beside it are farther apart than this, they are not those of a fork.
+    double most_room = 3.0;
 
     // ---- Marks; lengths are in steps
 

@@ -17,8 +17,7 @@ void add_line(Lines& lines, double y, double from, double to, std::uint8_t level
         lines.normal.push_back({0.0, 0.0, 1.0});
         lines.level.push_back(level);
     }
-    lines.first.push_back(lines.position.size());
-    lines.closed.push_back(0);
+    lines.end_line(false);
 }
 
 // The largest deviation in y of a line's points with x in [from, to].
@@ -69,8 +68,7 @@ void add_turning_line(Lines& lines, double turn) {
         const double angle = turn * std::clamp((length - 20.0) / 2.0, 0.0, 1.0);
         p += step * glm::dvec2(std::cos(angle), std::sin(angle));
     }
-    lines.first.push_back(lines.position.size());
-    lines.closed.push_back(0);
+    lines.end_line(false);
 }
 
 // The largest angle that a line turns by in two separations.
@@ -105,6 +103,70 @@ TEST(EvenLines, TurnSharplyOnlyAroundSingularPoints) {
     add_turning_line(lines, 15.0 * degree);
     const Lines even = even_out(runtime, lines, 1.0);
     EXPECT_NEAR(most_turn_of(even), 15.0 * degree, 2.0 * degree);
+}
+
+// Adds a line along x at a distance from y = 0 that falls from 1 to 0.5 between x = 20 and x = 30.
+void add_side_of_fork(Lines& lines, double side) {
+    for (double x = 0.0; x <= 50.0; x += 0.4) {
+        lines.position.push_back({x, side * (1.0 - 0.5 * std::clamp((x - 20.0) / 10.0, 0.0, 1.0)), 0.0});
+        lines.normal.push_back({0.0, 0.0, 1.0});
+        lines.level.push_back(0);
+    }
+    lines.end_line(false);
+}
+
+// At x = 20 + 10 t the lines at the sides are 2 - t apart, so there is room for the line between them up to t = 0.9.
+TEST(EvenLines, AreContinuedIntoForks) {
+    const base::Runtime runtime;
+    Lines lines(runtime.memory);
+    add_side_of_fork(lines, 1.0);
+    add_side_of_fork(lines, -1.0);
+    add_line(lines, 0.0, 0.0, 26.0, 1);
+    const Lines even = even_out(runtime, lines, 1.0);
+    ASSERT_EQ(even.count(), 3);
+    const glm::dvec3 end = even.position[even.first[3] - 1];
+    EXPECT_GT(end.x, 27.9);
+    EXPECT_LT(end.x, 29.1);
+    EXPECT_LT(farthest_from(even, 2, 0.0, 0.0, 40.0), 0.05);
+    EXPECT_EQ(even.level[even.first[3] - 1], 1);
+    // A line that ends far away from the fork has wide room beside it, too, but is continued only a little.
+    Lines early(runtime.memory);
+    add_side_of_fork(early, 1.0);
+    add_side_of_fork(early, -1.0);
+    add_line(early, 0.0, 0.0, 12.0, 1);
+    const Lines a_little = even_out(runtime, early, 1.0);
+    EXPECT_LT(a_little.position[a_little.first[3] - 1].x, 16.1);
+}
+
+TEST(EvenLines, DoNotMeetOthersWhenContinued) {
+    const base::Runtime runtime;
+    Lines lines(runtime.memory);
+    add_line(lines, 1.0, 0.0, 40.0);
+    add_line(lines, -1.0, 0.0, 40.0);
+    add_line(lines, 0.0, 0.0, 17.0);
+    add_line(lines, 0.0, 21.0, 40.0);
+    const Lines even = even_out(runtime, lines, 1.0);
+    ASSERT_EQ(even.count(), 4);
+    const double between = even.position[even.first[3]].x - even.position[even.first[3] - 1].x;
+    EXPECT_GT(between, 0.5);
+    EXPECT_LT(between, 3.0);
+}
+
+// A line across a narrow face has both ends at the border. It stays, however short it is, if the lines beside it are a
+// separation away. Otherwise it is a stray.
+TEST(EvenLines, CrossNarrowFaces) {
+    const base::Runtime runtime;
+    const auto count_of = [&](double y, std::uint8_t border) {
+        Lines lines(runtime.memory);
+        add_line(lines, 0.0, 0.0, 40.0);
+        for (double x = 20.0; x <= 21.7; x += 0.4) lines.add_point({x, y, 0.0}, {0.0, 0.0, 1.0}, 0, base::Progress());
+        lines.end_line(false, border);
+        return even_out(runtime, lines, 1.0).count();
+    };
+    EXPECT_EQ(count_of(1.0, Lines::begins_at_border | Lines::ends_at_border), 2);
+    EXPECT_EQ(count_of(1.0, Lines::begins_at_border), 1) << "one end at the border";
+    EXPECT_EQ(count_of(1.0, 0), 1) << "no end at the border";
+    EXPECT_EQ(count_of(0.3, Lines::begins_at_border | Lines::ends_at_border), 1) << "a stray";
 }
 
 } // namespace

@@ -35,8 +35,7 @@ protected:
                 all.normal.push_back({0.0, 0.0, 1.0});
                 all.level.push_back(0);
             }
-            all.first.push_back(all.position.size());
-            all.closed.push_back(0);
+            all.end_line(false);
         }
         return hatching::join_ends(all, 2.0, base::Progress());
     }
@@ -56,6 +55,7 @@ protected:
 TEST_F(JoinLines, ConnectsLinesAcrossASmallGap) {
     EXPECT_EQ(join({line(-3, 0, -0.8, 0), line(0.8, 0.1, 3, 0.1)}).count(), 1);
     EXPECT_EQ(join({line(-3, 0, -0.8, 0), line(0.8, 1.0, 3, 1.0)}).count(), 2) << "aside";
+    EXPECT_EQ(join({line(-3, 0, -0.1, 0), line(0.1, 0.6, 3, 0.6)}).count(), 1) << "less aside than the next line";
     EXPECT_EQ(join({line(-3, 0, -1.2, 0), line(1.2, 0.0, 3, 0.0)}).count(), 2) << "too far";
     EXPECT_EQ(join({line(-3, 0, -0.8, 0), line(0.8, 0.0, 0.8, 3.0)}).count(), 2) << "a corner";
 }

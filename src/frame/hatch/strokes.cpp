@@ -276,6 +276,10 @@ private:
         // From the point where the presence begins to fade to its end, half of the length counts.
         const auto share = [&](std::int64_t j, std::int64_t k) { return 0.5F * end_share(j, k); };
         const float most = 2.0F * shortest;
+        // A line from crease to crease is as long as the face is wide, so its length is not compared.
+        const bool crosses_face = chain_.has_begin && chain_.begins == StrokeEnd::crease && chain_.has_end &&
+                                  chain_.ends == StrokeEnd::crease;
+        const float beyond = crosses_face ? shortest : 0.0F;
         const auto is_solid = [&](std::int64_t k) { return p[k] == 1.0F && width[k] == full && level[k] == 1.0F; };
         std::int64_t solid = 0; // the end of the last stretch that is long enough on its own
         for (std::int64_t i = 0; i < size(); ++i) {
@@ -288,8 +292,8 @@ private:
             if (i < solid || !(p[i] > 0.0F)) continue;
             const float scale = 1.0F / std::max(width[i], 1e-6F);
             const auto weight = [&](std::int64_t k) { return std::min(width[k] * scale, 1.0F) * level[k]; };
-            float length = held_length(line_, i, 1, most, 0.0F, presence, weight, share).length;
-            if (length < most) length += held_length(line_, i, -1, most, 0.0F, presence, weight, share).length;
+            float length = held_length(line_, i, 1, most, beyond, presence, weight, share).length;
+            if (length < most) length += held_length(line_, i, -1, most, beyond, presence, weight, share).length;
             kept[i] = ramp_between(length, shortest, most);
         }
         // A fading stretch gets at most the presence of the stronger stretch beside it, so that a part is drawn
@@ -338,10 +342,15 @@ private:
         return lengths > 0.0F ? std::abs(glm::dot(chord, across)) / lengths : 0.0F;
     }
 
-    // Returns the length of the taper at an end of the stroke.
-    [[nodiscard]] float taper(StrokeEnd end, float width) const noexcept {
+    // Returns the length of the taper at an end of the stroke, which is at sample i. In the dark, a long taper would
+    // leave a white fleck between the lines beside it.
+    [[nodiscard]] float taper(StrokeEnd end, std::int64_t i) const noexcept {
         const float blunt = hatch_tuning.blunt_taper * style_.hatch_taper;
-        return end == StrokeEnd::crease ? std::min(hatch_tuning.round_tip * width, blunt) : blunt;
+        if (end == StrokeEnd::crease) return std::min(hatch_tuning.round_tip * sample(i).width, blunt);
+        const float dark =
+            std::clamp(sample(i).margin[margin_tone] / (style_.hatch_tone_end - style_.hatch_tone_begin), 0.0F, 1.0F);
+        const float white = 1.0F - std::lerp(style_.hatch_coverage_begin, style_.hatch_coverage_end, dark);
+        return blunt * white;
     }
 
     // Returns how far a reason narrows the line. Fading near a contour does not narrow it: a line across the contour
@@ -404,10 +413,9 @@ private:
                 least = std::min(least, narrowed(held.length, own));
             }
         }
-        const float width = sample(i).width;
-        if (chain_.has_begin) least = std::min(least, narrowed(line_.at(i), taper(chain_.begins, width)));
+        if (chain_.has_begin) least = std::min(least, narrowed(line_.at(i), taper(chain_.begins, i)));
         if (chain_.has_end)
-            least = std::min(least, narrowed(line_.at(size() - 1) - line_.at(i), taper(chain_.ends, width)));
+            least = std::min(least, narrowed(line_.at(size() - 1) - line_.at(i), taper(chain_.ends, i)));
         return least;
     }
 
