@@ -276,9 +276,12 @@ private:
         // From the point where the presence begins to fade to its end, half of the length counts.
         const auto share = [&](std::int64_t j, std::int64_t k) { return 0.5F * end_share(j, k); };
         const float most = 2.0F * shortest;
-        // A line from crease to crease is as long as the face is wide, so its length is not compared.
+        // A line from crease to crease is as long as the face is wide, so its length is not compared. If a part of it
+        // is hidden, the rest may be seen by mistake.
+        const float* const seen = row(by_hiding);
         const bool crosses_face = chain_.has_begin && chain_.begins == StrokeEnd::crease && chain_.has_end &&
-                                  chain_.ends == StrokeEnd::crease;
+                                  chain_.ends == StrokeEnd::crease &&
+                                  std::all_of(seen, seen + size(), [](float presence) { return presence == 1.0F; });
         const float beyond = crosses_face ? shortest : 0.0F;
         const auto is_solid = [&](std::int64_t k) { return p[k] == 1.0F && width[k] == full && level[k] == 1.0F; };
         std::int64_t solid = 0; // the end of the last stretch that is long enough on its own
