@@ -310,14 +310,15 @@ hrbfnpr_status hrbfnpr_light_init(hrbfnpr_light* light, uint32_t struct_size);
 typedef int32_t (*hrbfnpr_tone_fn)(void* user, int64_t count, const float* positions, const float* normals, float* tau);
 enum { HRBFNPR_SHAPE_DOTS = 0, HRBFNPR_SHAPE_STROKES = 1, HRBFNPR_SHAPE_HATCH = 2 };
 enum { HRBFNPR_FIELD_RULE_REPLACE = 0, HRBFNPR_FIELD_RULE_SCALE = 1 };
-enum { HRBFNPR_PALETTE_NEAREST = 0, HRBFNPR_PALETTE_MIXED = 1 }; typedef struct hrbfnpr_layer_style {
-    uint32_t struct_size; uint32_t kind; const char* name; uint32_t shown; uint32_t contours; uint32_t directions;
-    uint32_t shape; float share; float radius; float radius_zoom; uint32_t reserved; float ink[4];
-    float hatch_tone_begin; float hatch_tone_end; float hatch_coverage_begin; float hatch_coverage_end;
-    float hatch_spacing; float hatch_pen; float hatch_white; float hatch_taper; float hatch_shortest;
-    uint32_t reserved2; float hatch_wobble; float hatch_overshoot; uint32_t hatch_seed; uint32_t reserved3;
-    const char* density_field; const char* tone_field; const char* width_field; const char* ink_field;
-    const char* mask_field; uint32_t tone_field_rule; uint32_t palette_rule; } hrbfnpr_layer_style;
+enum { HRBFNPR_PALETTE_NEAREST = 0, HRBFNPR_PALETTE_MIXED = 1 };
+typedef struct hrbfnpr_layer_style { uint32_t struct_size; uint32_t kind; const char* name; uint32_t shown;
+    uint32_t contours; uint32_t directions; uint32_t shape; float share; float radius; float radius_zoom;
+    uint32_t reserved; float ink[4]; float hatch_tone_begin; float hatch_tone_end; float hatch_coverage_begin;
+    float hatch_coverage_end; float hatch_spacing; float hatch_pen; float hatch_white; float hatch_taper;
+    float hatch_shortest; uint32_t reserved2; float hatch_wobble; float hatch_overshoot; uint32_t hatch_seed;
+    uint32_t reserved3; const char* density_field; const char* tone_field; const char* width_field;
+    const char* ink_field; const char* mask_field; uint32_t tone_field_rule; uint32_t palette_rule; float hatch_fade;
+    uint32_t reserved4; } hrbfnpr_layer_style;
 hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size);
 enum { HRBFNPR_HIDDEN_PARTS_NONE = 0, HRBFNPR_HIDDEN_PARTS_ATTENUATED = 1, HRBFNPR_HIDDEN_PARTS_DASHED = 2,
     HRBFNPR_HIDDEN_PARTS_SHOWN = 3 }; enum { HRBFNPR_CAP_ROUND = 0, HRBFNPR_CAP_FLAT = 1, HRBFNPR_CAP_POINTED = 2 };

@@ -44,6 +44,7 @@ inline constexpr hrbfnpr_layer_style hatch_layers[] = {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.12F; to.hatch_tone_end = 0.95F; to.hatch_coverage_end = 0.42F; to.hatch_spacing = 1.9F;
         to.hatch_pen = 0.8F; to.hatch_white = 0.68F; to.hatch_taper = 8.0F; to.hatch_shortest = 8.0F;
+        to.hatch_fade = 0.1F;
     })};
 inline constexpr hrbfnpr_line_style hatch_lines[] = {
     changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 2.2F; }),
@@ -74,25 +75,25 @@ inline constexpr hrbfnpr_layer_style cross_hatch_layers[] = {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.name = "hatch-1"; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.12F; to.hatch_tone_end = 0.45F; to.hatch_coverage_end = 0.24F; to.hatch_spacing = 2.6F;
         to.hatch_pen = 0.6F; to.hatch_white = 0.68F; to.hatch_taper = 8.0F; to.hatch_shortest = 8.0F;
-        to.hatch_coverage_begin = 0.09F;
+        to.hatch_coverage_begin = 0.09F; to.hatch_fade = 0.09F;
     }),
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.name = "hatch-2"; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.38F; to.hatch_tone_end = 0.66F; to.hatch_coverage_end = 0.24F; to.hatch_spacing = 2.6F;
         to.hatch_pen = 0.6F; to.hatch_white = 0.68F; to.hatch_taper = 8.0F; to.hatch_shortest = 8.0F;
-        to.hatch_coverage_begin = 0.09F;
+        to.hatch_coverage_begin = 0.09F; to.hatch_fade = 0.09F;
     }),
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.name = "hatch-3"; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.6F; to.hatch_tone_end = 0.9F; to.hatch_coverage_end = 0.3F; to.hatch_spacing = 2.6F;
         to.hatch_pen = 0.6F; to.hatch_white = 0.68F; to.hatch_taper = 8.0F; to.hatch_shortest = 8.0F;
-        to.hatch_coverage_begin = 0.09F;
+        to.hatch_coverage_begin = 0.09F; to.hatch_fade = 0.09F;
     }),
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.12F; to.hatch_tone_end = 0.9F; to.hatch_coverage_end = 0.3F; to.hatch_spacing = 2.6F;
         to.hatch_pen = 0.6F; to.hatch_white = 0.68F; to.hatch_taper = 8.0F; to.hatch_shortest = 8.0F;
-        to.hatch_coverage_begin = 0.09F;
+        to.hatch_coverage_begin = 0.09F; to.hatch_fade = 0.09F;
     })};
 inline constexpr hrbfnpr_line_style cross_hatch_lines[] = {
     changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 2.2F; }),
@@ -121,18 +122,19 @@ inline constexpr hrbfnpr_layer_style combing_layers[] = {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.name = "hatch-1"; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.1F; to.hatch_tone_end = 0.6F; to.hatch_coverage_end = 0.32F; to.hatch_spacing = 2.6F;
         to.hatch_pen = 0.6F; to.hatch_white = 0.68F; to.hatch_taper = 8.0F; to.hatch_shortest = 8.0F;
-        to.hatch_coverage_begin = 0.09F;
+        to.hatch_coverage_begin = 0.09F; to.hatch_fade = 0.09F;
     }),
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.name = "hatch-2"; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.5F; to.hatch_tone_end = 0.92F; to.hatch_coverage_end = 0.34F; to.hatch_spacing = 2.6F;
         to.hatch_pen = 0.6F; to.hatch_white = 0.68F; to.hatch_taper = 8.0F; to.hatch_shortest = 8.0F;
-        to.hatch_coverage_begin = 0.09F;
+        to.hatch_coverage_begin = 0.09F; to.hatch_fade = 0.09F;
     }),
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0; to.hatch_tone_begin = 0.1F;
         to.hatch_tone_end = 0.92F; to.hatch_coverage_end = 0.34F; to.hatch_spacing = 2.6F; to.hatch_pen = 0.6F;
         to.hatch_white = 0.68F; to.hatch_taper = 8.0F; to.hatch_shortest = 8.0F; to.hatch_coverage_begin = 0.09F;
+        to.hatch_fade = 0.09F;
     })};
 inline constexpr hrbfnpr_line_style combing_lines[] = {
     changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 2.2F; }),
@@ -215,18 +217,19 @@ inline constexpr hrbfnpr_layer_style full_layers[] = {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.name = "hatch-1"; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.4F; to.hatch_tone_end = 0.75F; to.hatch_coverage_end = 0.34F; to.hatch_spacing = 2.6F;
         to.hatch_pen = 0.6F; to.hatch_white = 0.68F; to.hatch_taper = 8.0F; to.hatch_shortest = 8.0F;
-        to.hatch_coverage_begin = 0.09F;
+        to.hatch_coverage_begin = 0.09F; to.hatch_fade = 0.09F;
     }),
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.name = "hatch-2"; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.62F; to.hatch_tone_end = 0.95F; to.hatch_coverage_end = 0.34F; to.hatch_spacing = 2.6F;
         to.hatch_pen = 0.6F; to.hatch_white = 0.68F; to.hatch_taper = 8.0F; to.hatch_shortest = 8.0F;
-        to.hatch_coverage_begin = 0.09F;
+        to.hatch_coverage_begin = 0.09F; to.hatch_fade = 0.09F;
     }),
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0; to.hatch_tone_begin = 0.4F;
         to.hatch_tone_end = 0.95F; to.hatch_coverage_end = 0.34F; to.hatch_spacing = 2.6F; to.hatch_pen = 0.6F;
         to.hatch_white = 0.68F; to.hatch_taper = 8.0F; to.hatch_shortest = 8.0F; to.hatch_coverage_begin = 0.09F;
+        to.hatch_fade = 0.09F;
     })};
 inline constexpr hrbfnpr_line_style full_lines[] = {
     changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 2.2F; }),
@@ -248,6 +251,7 @@ inline constexpr hrbfnpr_layer_style engraving_layers[] = {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.15F; to.hatch_tone_end = 0.95F; to.hatch_coverage_end = 0.74F; to.hatch_spacing = 2.8F;
         to.hatch_pen = 0.45F; to.hatch_white = 0.68F; to.hatch_taper = 12.0F; to.hatch_shortest = 7.0F;
+        to.hatch_fade = 0.12F;
     }),
     changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_ANY; to.shown = 0; })};
 inline constexpr hrbfnpr_line_style engraving_lines[] = {
@@ -278,16 +282,19 @@ inline constexpr hrbfnpr_layer_style etching_layers[] = {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.name = "hatch-1"; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.15F; to.hatch_tone_end = 0.55F; to.hatch_coverage_end = 0.36F; to.hatch_spacing = 2.8F;
         to.hatch_pen = 0.45F; to.hatch_white = 0.68F; to.hatch_taper = 12.0F; to.hatch_shortest = 7.0F;
+        to.hatch_fade = 0.12F;
     }),
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.name = "hatch-2"; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.4F; to.hatch_tone_end = 0.75F; to.hatch_coverage_end = 0.36F; to.hatch_spacing = 2.8F;
         to.hatch_pen = 0.45F; to.hatch_white = 0.68F; to.hatch_taper = 12.0F; to.hatch_shortest = 7.0F;
+        to.hatch_fade = 0.08F;
     }),
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.name = "hatch-3"; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.66F; to.hatch_tone_end = 0.92F; to.hatch_coverage_end = 0.36F; to.hatch_spacing = 2.8F;
         to.hatch_pen = 0.45F; to.hatch_white = 0.68F; to.hatch_taper = 12.0F; to.hatch_shortest = 7.0F;
+        to.hatch_fade = 0.08F;
     }),
     changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_ANY; to.shown = 0; })};
 inline constexpr hrbfnpr_line_style etching_lines[] = {
@@ -310,6 +317,7 @@ inline constexpr hrbfnpr_layer_style woodcut_layers[] = {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.22F; to.hatch_tone_end = 0.75F; to.hatch_coverage_end = 1.0F; to.hatch_spacing = 5.0F;
         to.hatch_pen = 0.9F; to.hatch_white = 0.0F; to.hatch_taper = 20.0F; to.hatch_shortest = 12.0F;
+        to.hatch_fade = 0.18F;
     }),
     changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_ANY; to.shown = 0; })};
 inline constexpr hrbfnpr_line_style woodcut_lines[] = {
@@ -365,20 +373,20 @@ inline constexpr hrbfnpr_layer_style sketch_layers[] = {
         to.hatch_tone_begin = 0.2F; to.hatch_tone_end = 0.7F; to.hatch_coverage_end = 0.26F; to.hatch_spacing = 2.8F;
         to.hatch_pen = 0.7F; to.hatch_white = 0.6F; to.hatch_taper = 4.0F; to.hatch_shortest = 9.0F;
         to.hatch_coverage_begin = 0.08F; to.hatch_wobble = 1.2F; to.hatch_overshoot = 16.0F; to.hatch_seed = 1;
-        to.ink[0] = 0.2F; to.ink[1] = 0.2F; to.ink[2] = 0.22F; to.ink[3] = 1.0F;
+        to.hatch_fade = 0.1F; to.ink[0] = 0.2F; to.ink[1] = 0.2F; to.ink[2] = 0.22F; to.ink[3] = 1.0F;
     }),
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.name = "hatch-2"; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.5F; to.hatch_tone_end = 0.92F; to.hatch_coverage_end = 0.28F; to.hatch_spacing = 2.8F;
         to.hatch_pen = 0.7F; to.hatch_white = 0.6F; to.hatch_taper = 4.0F; to.hatch_shortest = 9.0F;
         to.hatch_coverage_begin = 0.08F; to.hatch_wobble = 1.2F; to.hatch_overshoot = 16.0F; to.hatch_seed = 2;
-        to.ink[0] = 0.2F; to.ink[1] = 0.2F; to.ink[2] = 0.22F; to.ink[3] = 1.0F;
+        to.hatch_fade = 0.1F; to.ink[0] = 0.2F; to.ink[1] = 0.2F; to.ink[2] = 0.22F; to.ink[3] = 1.0F;
     }),
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0; to.hatch_tone_begin = 0.2F;
         to.hatch_tone_end = 0.92F; to.hatch_coverage_end = 0.28F; to.hatch_spacing = 2.8F; to.hatch_pen = 0.7F;
         to.hatch_white = 0.6F; to.hatch_taper = 4.0F; to.hatch_shortest = 9.0F; to.hatch_coverage_begin = 0.08F;
-        to.hatch_wobble = 1.2F; to.hatch_overshoot = 16.0F; to.hatch_seed = 3;
+        to.hatch_wobble = 1.2F; to.hatch_overshoot = 16.0F; to.hatch_seed = 3; to.hatch_fade = 0.1F;
         to.ink[0] = 0.2F; to.ink[1] = 0.2F; to.ink[2] = 0.22F; to.ink[3] = 1.0F;
     }),
     changed(default_layer_style(), [](auto& to) {
@@ -454,7 +462,7 @@ inline constexpr hrbfnpr_layer_style archaeological_layers[] = {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.28F; to.hatch_tone_end = 0.92F; to.hatch_coverage_end = 0.45F; to.hatch_spacing = 3.2F;
         to.hatch_pen = 0.45F; to.hatch_white = 0.68F; to.hatch_taper = 26.0F; to.hatch_shortest = 6.0F;
-        to.hatch_coverage_begin = 0.08F;
+        to.hatch_coverage_begin = 0.08F; to.hatch_fade = 0.1F;
     }),
     changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_ANY; to.shown = 0; })};
 inline constexpr hrbfnpr_line_style archaeological_lines[] = {

@@ -263,7 +263,8 @@ inline constexpr FieldLayout fields_of_hrbfnpr_layer_style[] = {
     FIELD(reserved2, "uint32_t"), FIELD(hatch_wobble, "float"), FIELD(hatch_overshoot, "float"),
     FIELD(hatch_seed, "uint32_t"), FIELD(reserved3, "uint32_t"), FIELD(density_field, "const char*"),
     FIELD(tone_field, "const char*"), FIELD(width_field, "const char*"), FIELD(ink_field, "const char*"),
-    FIELD(mask_field, "const char*"), FIELD(tone_field_rule, "uint32_t"), FIELD(palette_rule, "uint32_t")};
+    FIELD(mask_field, "const char*"), FIELD(tone_field_rule, "uint32_t"), FIELD(palette_rule, "uint32_t"),
+    FIELD(hatch_fade, "float"), FIELD(reserved4, "uint32_t")};
 #undef RECORD
 #define RECORD hrbfnpr_line_style
 inline constexpr FieldLayout fields_of_hrbfnpr_line_style[] = {

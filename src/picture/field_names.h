@@ -70,7 +70,8 @@ inline constexpr NamedField names_of_hrbfnpr_layer_style[] = {
     FIELD(hatch_seed, uint32, number, 1, 0, 0), FIELD(density_field, text, text, 1, 0, 0),
     FIELD(tone_field, text, text, 1, 0, 0), FIELD(width_field, text, text, 1, 0, 0),
     FIELD(ink_field, text, text, 1, 0, 0), FIELD(mask_field, text, text, 1, 0, 0),
-    FIELD(tone_field_rule, uint32, choice, 1, 25, 2), FIELD(palette_rule, uint32, choice, 1, 27, 2)};
+    FIELD(tone_field_rule, uint32, choice, 1, 25, 2), FIELD(palette_rule, uint32, choice, 1, 27, 2),
+    FIELD(hatch_fade, float32, number, 1, 0, 0)};
 #undef RECORD
 #define RECORD hrbfnpr_line_style
 inline constexpr NamedField names_of_hrbfnpr_line_style[] = {

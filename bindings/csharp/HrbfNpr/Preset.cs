@@ -24,7 +24,7 @@ namespace HrbfNpr
         Xray = 6,
         /// <summary>Stipples, cross hatching in the darks, contours and halos [NPAR, Figure 1 (e)].</summary>
         Full = 7,
-        /// <summary>One set of lines that swell with the tone, and contours; lights stay empty.</summary>
+        /// <summary>One set of lines that swell with the tone, and contours; lights have a few broken lines.</summary>
         Engraving = 8,
         /// <summary>
         /// Up to three sets of thin lines, at 0, 50 and -40 degrees, each for a darker tone, and contours.

@@ -1354,6 +1354,7 @@ class LayerStyleFields(Attributes):
     hatch_seed: Field[int, int]
     tone_field_rule: Field[str, str]
     palette_rule: Field[str, str]
+    hatch_fade: Field[float, float]
 
 class LineStyleFields(Attributes):
     kind: Field[str, str]

@@ -64,6 +64,8 @@ namespace HrbfNpr
         internal IntPtr mask_field;
         internal uint tone_field_rule;
         internal uint palette_rule;
+        internal float hatch_fade;
+        internal uint reserved4;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_line_style")]

@@ -890,7 +890,7 @@ export declare const PRESET: {
   readonly XRAY: 6;
   /** stipples, cross hatching in the darks, contours and halos [NPAR, Figure 1 (e)] */
   readonly FULL: 7;
-  /** one set of lines that swell with the tone, and contours; lights stay empty */
+  /** one set of lines that swell with the tone, and contours; lights have a few broken lines */
   readonly ENGRAVING: 8;
   /** up to three sets of thin lines, at 0, 50 and -40 degrees, each for a darker tone, and contours */
   readonly ETCHING: 9;

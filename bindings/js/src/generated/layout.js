@@ -383,7 +383,7 @@ export const STRUCTS = {
     softness: ["f32", 20],
     place: ["f64", 24, 3],
   } },
-  hrbfnpr_layer_style: { size: 144, sized: true, fields: {
+  hrbfnpr_layer_style: { size: 152, sized: true, fields: {
     kind: ["u32", 4, 0, "LAYER_KIND"],
     name: ["text", 8],
     shown: ["u32", 12],
@@ -413,6 +413,7 @@ export const STRUCTS = {
     maskField: ["text", 132],
     toneFieldRule: ["u32", 136, 0, "FIELD_RULE"],
     paletteRule: ["u32", 140, 0, "PALETTE"],
+    hatchFade: ["f32", 144],
   } },
   hrbfnpr_line_style: { size: 160, sized: true, fields: {
     kind: ["u32", 4, 0, "LINE_KIND"],
@@ -1071,7 +1072,7 @@ export const OFFSETS = {
     hatch_coverage_begin: 68, hatch_coverage_end: 72, hatch_spacing: 76, hatch_pen: 80, hatch_white: 84, hatch_taper:
     88, hatch_shortest: 92, reserved2: 96, hatch_wobble: 100, hatch_overshoot: 104, hatch_seed: 108, reserved3: 112,
     density_field: 116, tone_field: 120, width_field: 124, ink_field: 128, mask_field: 132, tone_field_rule: 136,
-    palette_rule: 140},
+    palette_rule: 140, hatch_fade: 144, reserved4: 148},
   hrbfnpr_line_style: {struct_size: 0, kind: 4, name: 8, hidden: 12, cap: 16, width: 20, taper: 24, hidden_width: 28,
     hidden_opacity: 32, dash: 36, gap: 40, shortest: 44, fade: 48, lower: 56, upper: 64, levels: 72, ink: 104,
     outline_factor: 120, far_factor: 124, lit_factor: 128, curvature_factor: 132, curvature_radius: 136, wobble: 140,

@@ -1103,7 +1103,7 @@ export interface LayerStyle {
   /** colour of the ink, straight RGBA; default black */
   ink?: Numbers;
   /**
-   * darkness, 1 - tau, at which lines begin; 0 .. 1; default 0.15. Larger: lights are emptier
+   * darkness, 1 - tau, at which lines begin; 0 .. 1; default 0.15. Larger: lights are emptier. See also hatch_fade
    *
    * SHAPE_HATCH.  Lines cover a share of the paper that grows with the darkness, 1 - tau.
    */
@@ -1146,7 +1146,7 @@ export interface LayerStyle {
    * has another length
    */
   hatchOvershoot?: number;
-  /** seed of hatch_wobble and hatch_overshoot; any number; default 0 */
+  /** seed of hatch_wobble, hatch_overshoot and hatch_fade; any number; default 0 */
   hatchSeed?: number;
   /**
    * SCALAR: the share of marks that is shown is multiplied by the value, clamped to 0 .. 1. With SHAPE_HATCH, the
@@ -1178,6 +1178,15 @@ export interface LayerStyle {
   toneFieldRule?: FieldRuleName | number;
   /** HRBFNPR_PALETTE_...; default NEAREST */
   paletteRule?: PaletteName | number;
+  /**
+   * range of darkness below hatch_tone_begin over which lines end one after the other; 0 .. 1, counted up to
+   * hatch_tone_begin; default 0 = all lines end at hatch_tone_begin. Over this range the share of the paper that
+   * lines cover falls evenly to 0: lines become fewer, and break before they end. Places with a darkness of 0 stay
+   * empty. Larger: lights are less empty
+   *
+   * SHAPE_HATCH
+   */
+  hatchFade?: number;
 }
 
 /**

@@ -716,7 +716,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_layer_style>() == either(168, 144, 144));
+    assert!(size_of::<hrbfnpr_layer_style>() == either(176, 152, 152));
     assert!(align_of::<hrbfnpr_layer_style>() == either(8, 4, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -755,6 +755,8 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_layer_style, mask_field) == either(152, 132, 132));
     assert!(offset_of!(hrbfnpr_layer_style, tone_field_rule) == either(160, 136, 136));
     assert!(offset_of!(hrbfnpr_layer_style, palette_rule) == either(164, 140, 140));
+    assert!(offset_of!(hrbfnpr_layer_style, hatch_fade) == either(168, 144, 144));
+    assert!(offset_of!(hrbfnpr_layer_style, reserved4) == either(172, 148, 148));
 };
 
 const _: () = {

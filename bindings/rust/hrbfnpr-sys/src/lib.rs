@@ -219,8 +219,8 @@
 //! "parabolic", "isophote", "section", "border", "crease", "shadow", "terminator", "soft
 //! edge", or have the name of
 //! lines of kind OWN.  Ink behind n layers of surface has " hidden n" at the end of its name.
-//! A second layer of the same
-//! name has " 2".
+//! A second layer of the
+//! same name has " 2".
 //!
 //! Groups follow the layers of the drawing, hidden ones first.  In a group strokes are in
 //! order from far to near.  Where
@@ -3137,7 +3137,8 @@ pub struct hrbfnpr_layer_style {
     pub reserved: u32,
     /// colour of the ink, straight RGBA; default black
     pub ink: [f32; 4],
-    /// darkness, 1 - tau, at which lines begin; 0 .. 1; default 0.15. Larger: lights are emptier
+    /// darkness, 1 - tau, at which lines begin; 0 .. 1; default 0.15. Larger: lights are emptier.
+    /// See also hatch_fade
     ///
     /// SHAPE_HATCH.  Lines cover a share of the paper that grows with the darkness, 1 - tau.
     pub hatch_tone_begin: f32,
@@ -3170,7 +3171,7 @@ pub struct hrbfnpr_layer_style {
     /// greatest length by which a line runs on past the end of its tone, in pixels; 0 .. 16384;
     /// default 0. Each end has another length
     pub hatch_overshoot: f32,
-    /// seed of hatch_wobble and hatch_overshoot; any number; default 0
+    /// seed of hatch_wobble, hatch_overshoot and hatch_fade; any number; default 0
     pub hatch_seed: u32,
     pub reserved3: u32,
     /// SCALAR: the share of marks that is shown is multiplied by the value, clamped to 0 .. 1.
@@ -3199,6 +3200,15 @@ pub struct hrbfnpr_layer_style {
     pub tone_field_rule: u32,
     /// HRBFNPR_PALETTE_...; default NEAREST
     pub palette_rule: u32,
+    /// range of darkness below hatch_tone_begin over which lines end one after the other; 0 .. 1,
+    /// counted up to hatch_tone_begin; default 0 = all lines end at hatch_tone_begin. Over this
+    /// range the share of the paper that lines cover falls evenly to 0: lines become fewer, and
+    /// break before they end. Places with a darkness of 0 stay empty. Larger: lights are less
+    /// empty
+    ///
+    /// SHAPE_HATCH
+    pub hatch_fade: f32,
+    pub reserved4: u32,
 }
 
 extern "C" {
@@ -3536,7 +3546,7 @@ pub const HRBFNPR_PRESET_CONTOUR_AND_STIPPLE: u32 = 5;
 pub const HRBFNPR_PRESET_XRAY: u32 = 6;
 /// stipples, cross hatching in the darks, contours and halos [NPAR, Figure 1 (e)]
 pub const HRBFNPR_PRESET_FULL: u32 = 7;
-/// one set of lines that swell with the tone, and contours; lights stay empty
+/// one set of lines that swell with the tone, and contours; lights have a few broken lines
 pub const HRBFNPR_PRESET_ENGRAVING: u32 = 8;
 /// up to three sets of thin lines, at 0, 50 and -40 degrees, each for a darker tone, and contours
 pub const HRBFNPR_PRESET_ETCHING: u32 = 9;
