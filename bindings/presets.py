@@ -50,8 +50,7 @@ def hatching(angle=0.0, name=None, **fields):
 # ---- How layers are drawn
 
 # With hatch_fade, lines in the lights become fewer and break, one after the other.  Without it, all would end on one
-# tone, and
-# forms that face the light would be blank.
+# tone, and forms that face the light would be blank.
 
 # A style without contours draws its marks a little larger, so that they reach the rim.
 FULL_RADIUS = 1.1

@@ -171,7 +171,7 @@ std::int64_t EvenOrder::find_cells(std::int64_t number, std::int32_t cell, float
     std::int64_t marks = 0;
     for (std::int32_t y = std::max(row - far, 0); y <= bottom; ++y) {
         for (std::int32_t x = left; x <= right;) {
-            const std::int32_t last = std::min(right, x | (cells_ - 1)); // of the cells in this tile
+            const std::int32_t last = std::min(right, x | (cells_ - 1)); // the last cell in this tile
             const std::int64_t tile = std::int64_t{y / cells_} * tiles_.columns() + x / cells_;
             const std::uint32_t* const cells = cell_first_.data() + (tile * cells_ + y % cells_) * cells_;
             const MarkInterval interval = {cells[x % cells_], cells[last % cells_ + 1]};

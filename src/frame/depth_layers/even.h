@@ -97,7 +97,7 @@ private:
 
     base::Array<std::int64_t> range_;           // the indices of the ranges of dots that are even in the picture
     base::Array<drawing::IndexRange> in_range_; // these ranges
-    base::Array<Removed> removed_;              // of each of these ranges
+    base::Array<Removed> removed_;              // what each of these ranges lost
     drawing::Tiles tiles_;
     std::int32_t cells_ = 1;          // the cells along a side of a tile
     base::Array<std::int64_t> first_; // for each tile and one more: its first spot
@@ -106,9 +106,9 @@ private:
     // For each cell, tile by tile, and one more: its first spot.
     base::Array<std::uint32_t> cell_first_;
     base::Array<std::uint32_t> order_;                // for each tile: its spots in the order on the surface
-    base::Array<float> cell_x_, cell_y_, cell_place_; // of each spot
+    base::Array<float> cell_x_, cell_y_, cell_place_; // an element for each spot
     base::List<Tile> tile_;
-    base::Array<float> distance_, previous_; // of each spot: after this round, and after the round before
+    base::Array<float> distance_, previous_; // the distance of each spot, after this round and the one before
 };
 
 } // namespace hrbfnpr::frame

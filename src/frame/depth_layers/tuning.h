@@ -36,9 +36,9 @@ struct LayerTuning {
     // Distances are exact up to this many times the distance that a tone wants. Larger: more time, and fewer errors
     // where the tone changes fast.
     float even_most = 1.25F;
-    // Two marks are on one sheet of a surface if the depth between them differs from the mean slope by at most this part
-    // of the change of the slope, and by this many pixels. Larger: hidden marks keep away more of the marks in front of
-    // them.
+    // Two marks are on one sheet of a surface if the depth between them differs from the mean slope by at most this
+    // part of the change of the slope, and by this many pixels. Larger: hidden marks keep away more of the marks in
+    // front of them.
     float sheet_bend = 0.5F;
     float sheet_gap = 2.0F;
     // Marks up to this many pixels outside the window count, too. Larger: more time, and steadier marks near the border

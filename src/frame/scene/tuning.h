@@ -35,8 +35,8 @@ struct SceneTuning {
     // tones then still differ. Larger: paler pictures where there are few marks.
     float darkest = 0.6F;
 
-    // Stipples that are even in the picture: where |n . v| is at least this much below 1, twice as many as wanted may be
-    // shown, and smaller ones fill gaps. Larger: fewer small marks, and rows where the surface turns away.
+    // Stipples that are even in the picture: where |n . v| is at least this much below 1, twice as many as wanted may
+    // be shown, and smaller ones fill gaps. Larger: fewer small marks, and rows where the surface turns away.
     float even_turn = 0.4F;
 
     // How far above the surface the rays of occlusion and shadows begin, in sides of the cells of the meshes that cast
