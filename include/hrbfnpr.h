@@ -2066,10 +2066,10 @@ enum {
 /* Where stipples are evenly spread, with TONE_RULE_SHARE, TONE_CURVE_COVERAGE and DEPTH_LAYERS.  It has an effect on
  * stipples of DISTRIBUTION_BLUE_NOISE. */
 enum {
-    /* In the picture.  Where the surface turns away, marks that are even on it would form rows.  So up to twice as many
-     * marks are considered there, in their order, and each gets smaller as far as an earlier one is too near in the
-     * picture.  Marks keep their places on the surface, change smoothly as the camera moves, and never get smaller by a
-     * zoom in.  docs/how-marks-work.md */
+    /* In the picture.  Where the surface turns away, marks that are even on it would form rows.  So more marks than the
+     * tone wants are considered there, in their order, and each gets smaller as far as earlier ones are too near in
+     * the picture.  Marks keep their places on the surface, change smoothly as the camera moves, and never get smaller
+     * by a zoom in.  docs/how-marks-work.md */
     HRBFNPR_EVENNESS_PICTURE = 0,
     /* On the surface: the first marks of the order are shown.  For drawings that show the same marks by other means,
      * such as the prefixes of a vertex buffer. */

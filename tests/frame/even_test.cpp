@@ -82,35 +82,19 @@ std::vector<float> kept(const base::Runtime& runtime, const Marks& given) {
 
 // The rule as docs/how-marks-work.md describes it, for marks on one plane that stand in their order.
 std::vector<float> reference(const Marks& given, float reach) {
-    const std::size_t count = given.marks.size();
-    std::vector<float> distance(count);
-    std::vector<float> part(count);
-    for (std::size_t i = 0; i < count; ++i) {
+    std::vector<float> part(given.marks.size());
+    for (std::size_t i = 0; i < part.size(); ++i) {
         const EvenMark& mark = given.marks[i];
-        distance[i] = std::min(mark.own, layer_tuning.even_most * mark.wanted);
-        for (std::size_t j = 0; j < i; ++j) {
-            const float apart =
-                glm::distance(glm::vec2(given.places[i]), glm::vec2(given.places[j])) / layer_tuning.even_distance;
-            const float weight = std::clamp((distance[j] / apart - layer_tuning.claim_begins) /
-                                                (layer_tuning.claim_whole - layer_tuning.claim_begins),
-                                            0.0F, 1.0F);
-            if (weight > 0.0F)
-                distance[i] = std::min(distance[i], apart * (1.0F + layer_tuning.claim_rise * (1.0F - weight)) /
-                                                        std::min(1.0F, weight / layer_tuning.claim_end));
-        }
-        part[i] = std::clamp((mark.shown - mark.flat) / (mark.fade * mark.shown), 0.0F, 1.0F);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        const float wanted = given.marks[i].wanted;
         float left = 1.0F;
         for (std::size_t j = 0; j < i; ++j) {
             const float pixels = glm::distance(glm::vec2(given.places[i]), glm::vec2(given.places[j]));
             const float near = std::clamp((1.0F - pixels / reach) / layer_tuning.even_soft, 0.0F, 1.0F);
-            const float shown =
-                std::clamp((distance[j] * reach / (wanted * pixels) - 1.0F) / layer_tuning.even_shown, 0.0F, 1.0F);
+            const float shown = std::clamp(
+                (given.marks[j].own * reach / (mark.wanted * pixels) - 1.0F) / layer_tuning.even_shown, 0.0F, 1.0F);
             left *= 1.0F - near * near * (3.0F - 2.0F * near) * shown;
         }
-        part[i] *= std::max(0.0F, (left - layer_tuning.even_least) / (1.0F - layer_tuning.even_least));
+        part[i] = std::clamp((mark.shown - mark.flat) / (mark.fade * mark.shown), 0.0F, 1.0F) *
+                  std::max(0.0F, (left - layer_tuning.even_least) / (1.0F - layer_tuning.even_least));
     }
     return part;
 }
@@ -119,8 +103,8 @@ TEST(Even, IsTheRuleOfAllPairs) {
     const base::Runtime runtime;
     const Marks given = tilted(4000, 0.5F, 300.0F, 1.0F, 6.0F);
     const std::vector<float> fast = kept(runtime, given);
-    // Half of the densest packing's distance times the measured reach at n . v = 0.5.
-    const std::vector<float> plain = reference(given, 0.883F * 1.0745699F * 6.0F);
+    // The densest packing's distance times the measured reach at n . v = 0.5.
+    const std::vector<float> plain = reference(given, 0.9041F * 1.0745699F * 6.0F);
     double sum = 0.0;
     int shown = 0;
     for (std::size_t i = 0; i < plain.size(); ++i) {
@@ -134,13 +118,11 @@ TEST(Even, IsTheRuleOfAllPairs) {
 
 TEST(Even, ZoomingInMakesNoMarkSmaller) {
     const base::Runtime runtime;
-    // Distances are exact only up to LayerTuning::even_most.
-    constexpr float most_loss = 0.1F;
     std::vector<float> before;
     for (int step = 0; step < 12; ++step) {
         const float zoom = std::pow(1.05F, static_cast<float>(step));
         const std::vector<float> now = kept(runtime, tilted(6000, 0.4F, 240.0F, zoom, 5.0F));
-        for (std::size_t i = 0; i < before.size(); ++i) ASSERT_GE(now[i], before[i] - most_loss) << step << ", " << i;
+        for (std::size_t i = 0; i < before.size(); ++i) ASSERT_GE(now[i], before[i] - 1e-3F) << step << ", " << i;
         before = now;
     }
 }

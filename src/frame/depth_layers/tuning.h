@@ -15,27 +15,12 @@ struct LayerTuning {
 
     // Marks get smaller over this part of the distance below which they are too near. Larger: more small marks, and
     // tones with less grain.
-    float even_soft = 0.6F;
-    // An earlier mark counts fully if the distance that it can keep is larger than needed by this share. Larger: denser
-    // marks with less even distances.
+    float even_soft = 0.7F;
+    // An earlier mark counts fully if the distance that its place stands for is larger than needed by this share.
+    // Larger: denser marks with less even distances.
     float even_shown = 0.6F;
     // Marks with less than this part of their area are left out. Larger: fewer small marks, more grain.
     float even_least = 0.05F;
-    // The least distance of two marks in the order of the picture. Marks of an order on a surface that faces the eye
-    // are always farther from each other.
-    float even_distance = 0.75F;
-    // A mark keeps away from an earlier one if that can keep this many times the distance of the two. From the second
-    // number on, it keeps away fully. Larger: marks are denser, and their distances vary more. A larger difference:
-    // slower changes from frame to frame.
-    float claim_begins = 1.1F;
-    float claim_whole = 1.2F;
-    // In between, the distance that is kept grows by this share. Below the weight `claim_end` it grows without limit.
-    // Larger: marks change faster from frame to frame.
-    float claim_rise = 0.35F;
-    float claim_end = 0.2F;
-    // Distances are exact up to this many times the distance that a tone wants. Larger: more time, and fewer errors
-    // where the tone changes fast.
-    float even_most = 1.25F;
     // Two marks are on one sheet of a surface if the depth between them differs from the mean slope by at most this
     // part of the change of the slope, and by this many pixels. Larger: hidden marks keep away more of the marks in
     // front of them.

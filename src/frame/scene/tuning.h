@@ -35,9 +35,11 @@ struct SceneTuning {
     // tones then still differ. Larger: paler pictures where there are few marks.
     float darkest = 0.6F;
 
-    // Stipples that are even in the picture: where |n . v| is at least this much below 1, twice as many as wanted may
-    // be shown, and smaller ones fill gaps. Larger: fewer small marks, and rows where the surface turns away.
+    // Stipples that are even in the picture: where |n . v| is at least `even_turn` below 1, more may be shown than the
+    // tone wants, by the share `even_surplus`. Larger `even_turn` and smaller `even_surplus`: less time, and rows where
+    // the surface turns away.
     float even_turn = 0.4F;
+    float even_surplus = 0.6F;
 
     // How far above the surface the rays of occlusion and shadows begin, in sides of the cells of the meshes that cast
     // shadows. Larger: no spots where a mesh lies above the surface, but light leaks where surfaces touch.

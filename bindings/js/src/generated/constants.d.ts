@@ -714,12 +714,12 @@ export type ToneCurveName = "coverage" | "linear";
  */
 export declare const EVENNESS: {
   /**
-   * In the picture.  Where the surface turns away, marks that are even on it would form rows.  So up to twice as
-   * many
-   * marks are considered there, in their order, and each gets smaller as far as an earlier one is too near in the
-   * picture.  Marks keep their places on the surface, change smoothly as the camera moves, and never get smaller
-   * by a
-   * zoom in.  docs/how-marks-work.md
+   * In the picture.  Where the surface turns away, marks that are even on it would form rows.  So more marks than
+   * the
+   * tone wants are considered there, in their order, and each gets smaller as far as earlier ones are too near in
+   * the picture.  Marks keep their places on the surface, change smoothly as the camera moves, and never get
+   * smaller
+   * by a zoom in.  docs/how-marks-work.md
    */
   readonly PICTURE: 0;
   /**

@@ -2987,12 +2987,12 @@ pub const HRBFNPR_TONE_CURVE_LINEAR: u32 = 1;
 // DEPTH_LAYERS.  It has an effect on
 // stipples of DISTRIBUTION_BLUE_NOISE.
 /// In the picture.  Where the surface turns away, marks that are even on it would form rows.
-/// So up to twice as many
-/// marks are considered there, in their order, and each gets smaller as far as an earlier one
-/// is too near in the
-/// picture.  Marks keep their places on the surface, change smoothly as the camera moves, and
-/// never get smaller by a
-/// zoom in.  docs/how-marks-work.md
+/// So more marks than the
+/// tone wants are considered there, in their order, and each gets smaller as far as earlier
+/// ones are too near in
+/// the picture.  Marks keep their places on the surface, change smoothly as the camera moves,
+/// and never get smaller
+/// by a zoom in.  docs/how-marks-work.md
 pub const HRBFNPR_EVENNESS_PICTURE: u32 = 0;
 /// On the surface: the first marks of the order are shown.  For drawings that show the same
 /// marks by other means,
