@@ -867,7 +867,9 @@ void add_line_marks(const marks::Site& site, const Lines& given, double separati
         const std::int64_t last = pieces.first[next.piece + 1] - 1;
         for (std::int64_t i = first; i <= last; ++i) {
             const glm::dvec3 n = pieces.normal[i];
-            const glm::dvec3 way = pieces.position[std::min(last, i + 1)] - pieces.position[std::max(first, i - 1)];
+            glm::dvec3 way = pieces.position[std::min(last, i + 1)] - pieces.position[std::max(first, i - 1)];
+            // A closed line of two points comes back to the first.
+            if (way == glm::dvec3(0.0)) way = pieces.position[i] - pieces.position[std::max(first, i - 1)];
             marks.position.push_back(pieces.position[i]);
             marks.normal.push_back(n);
             marks.direction.push_back(glm::normalize(way - glm::dot(way, n) * n));

@@ -154,9 +154,9 @@ TEST_F(WantedLinesTest, BordersAreDrawnAsContoursAre) {
     Style style(HRBFNPR_PRESET_SKETCH, pool);
     const Vector<hrbfnpr_line_style> contours(style.lines.begin(), style.lines.begin() + 2, &pool);
     size_lines(call, style, 1.0, true);
-    ASSERT_EQ(style.lines.size(), 5U);
+    ASSERT_EQ(style.lines.size(), 6U);
     for (std::size_t i = 0; i < 2; ++i) {
-        const hrbfnpr_line_style& border = style.lines[3 + i];
+        const hrbfnpr_line_style& border = style.lines[4 + i];
         EXPECT_EQ(border.kind, std::uint32_t{HRBFNPR_LINE_KIND_BORDER});
         EXPECT_EQ(border.width, contours[i].width);
         EXPECT_EQ(border.ink[0], contours[i].ink[0]);

@@ -19,7 +19,7 @@ def shown(model, item):
 
 
 def test_hollows_are_darker_and_shadows_are_cast(model):
-    style = hrbfnpr.Style(ambient_sky=0.3, ambient_ground=0.3, fill_light=0)
+    style = hrbfnpr.Style(ambient_sky=0.3, ambient_ground=0.3, fill_light=0, evenness="surface")
     style.lights = [hrbfnpr.Light(place=(0, 1, 0.2), space="world", intensity=0.5)]
     item = hrbfnpr.Item(model.generate(budget=3000), style, line_set=hrbfnpr.LineSet(model))
     plain = shown(model, item)
