@@ -229,7 +229,7 @@ namespace HrbfNpr.Tests
 
         private static DrawingLayerInfo OfLines(Drawing drawing)
         {
-            return drawing.Layers.Single(layer => layer.Layer == -1);
+            return drawing.Layers.Single(layer => layer.Layer == -1 && layer.LineKind == LineKind.Contour);
         }
 
         private static long Ink(Drawing drawing)

@@ -116,6 +116,7 @@ namespace HrbfNpr
     /// Where stipples are evenly spread, with <see cref="ToneRule.Share"/>, <see cref="ToneCurve.Coverage"/> and
     /// <see cref="Visibility.DepthLayers"/>.
     /// </summary>
+    [NativeConstants("HRBFNPR_EVENNESS_")]
     public enum Evenness
     {
         /// <summary>
