@@ -11,10 +11,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 namespace hrbfnpr::frame {
 namespace {
@@ -37,7 +35,7 @@ constexpr float packed = 1.0745699F;
     return reaches[cell] + (reaches[cell + 1] - reaches[cell]) * (at - static_cast<float>(cell));
 }
 
-// Returns the part of a mark's area that is drawn at a place in the order of the picture, as select() does.
+// Returns the part of the area of a mark that its place lets it have, as select() does for marks that keep their order.
 [[nodiscard]] float grown(float place, float shown, float fade) noexcept {
     if (!(shown > 0.0F) || place > shown) return 0.0F;
     return fade > 0.0F ? std::min(1.0F, (shown - place) / (fade * shown)) : 1.0F;
