@@ -252,6 +252,8 @@ GROUPS = {
         choice("normals", "normals", "state of the normals of points: auto finds out and repairs them, keep leaves "
                "them, none computes new ones, unoriented and mixed turn some, inward turns all (default: auto)",
                "auto keep none unoriented mixed inward"),  # fmt: skip
+        Option("classes", "", "classes", "NUMBERS", "classes of the points to read from a LAS or LAZ file, with commas "
+               "between, such as 2,6, or all (default: all but noise, or the ground alone if vegetation covers it)"),  # fmt: skip
         Option("viewpoint", "viewpoint", "vector", "X,Y,Z", "position of the scanner; open surfaces without normals "
                "face it (default: from the file)"),  # fmt: skip
         number("depth_smoothing", "depth_smoothing", "F", "factor of the width over which a depth image is smoothed; 0 "

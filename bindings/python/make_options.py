@@ -19,7 +19,7 @@ TYPES = {
     "ground": "Ground", "lights": "Lights",
     "number_or_auto": "NumberOr", "count_or_auto": "NumberOr", "assignment": "Optional[Mapping[str, Any]]",
     "file": "Optional[Any]", "page": "Size", "pens": "Names", "pen_widths": "Optional[Floats]",
-    "fields": "Fields", "palette": "Palette",
+    "fields": "Fields", "palette": "Palette", "classes": "Union[str, int, Sequence[int], None]",
 }  # fmt: skip
 
 

@@ -117,7 +117,6 @@ def test_missing_values_become_nan(tmp_path):
         ("a.csv", "1;2;3\n4;;6\n7;8;nine\n", "line 3, column 3: 'nine' is not a number"),
         ("a.csv", "x,y,z\n1,2\n", "line 2: there are 2 columns, but 3 were expected"),
         ("a.txt", "# one\n# two\n1 2 3\n\n4 5\n", "line 5: there are 2 numbers, but line 3 has 3"),
-        ("a.pts", "3\n1 2 3\n4 5 6\n", "the first line says 3 points, but 2 lines"),
         ("a.xyz", "1 2 " + 300 * "x" + "\n", r"column 3: '" + 37 * "x" + r"\.\.\.' is not"),
         ("a.xyz", "lon lat\n1 2\n", "line 1, column 1: 'lon' is not a number"),
     ],
@@ -125,6 +124,87 @@ def test_missing_values_become_nan(tmp_path):
 def test_broken_tables(tmp_path, name, text, words):
     with pytest.raises(shapes.ShapeError, match=words):
         shapes.read(write(tmp_path, name, text))
+
+
+@pytest.mark.parametrize(
+    "text, points, notes",
+    [
+        ("3\n1 2 3\n4 5 6\n", 2, ["the file says 3 points, but it has 2: these are read"]),
+        ("1\n1 2 3\n4 5 6\n7 8 9\n", 3, ["the file says 1 points, but it has 3: these are read"]),
+        ("2\n1 2 3\n4 5 6\n5\n7 8 9\n", 3, ["the file says 7 points, but it has 3: these are read"]),
+        ("3\n1 2 3\n4 5 6\n7 8", 2, ["the file ends within its last line, which is left out",
+                                    "the file says 3 points, but it has 2: these are read"]),
+        ("1 2 3\n4 5 6\n7", 2, ["the file ends within its last line, which is left out"]),
+    ],
+)  # fmt: skip
+def test_tables_with_a_wrong_count(tmp_path, text, points, notes):
+    shape = shapes.read(write(tmp_path, "a.pts", text))
+    np.testing.assert_array_equal(shape.points, np.arange(1, 3 * points + 1).reshape(-1, 3))
+    assert shape.notes == tuple(notes)
+
+
+LASER = np.column_stack([GREY + 100, GREY / 10, POINTS])  # the number of a shot, its time, and its place
+
+
+@pytest.mark.parametrize(
+    "heading",
+    [
+        "# shot time x y z",
+        "// shot;time;x;y;z",
+        "%shot\ttime\tX\tY\tZ",
+        "; SHOT, TIME, EASTING, NORTHING, ELEVATION",
+        "# Columns: shot time x y z",
+        "# shot_number time_s x_m y_m z_m",
+        "# shot time x (m) y (m) z (m)",
+        "# made by a test\n# shot time E N H\n# of a laser",
+        "# 1: shot\n# 2: time [s]\n# 3: x [m]\n# 4: y [m]\n# 5: z [m]",
+        "# column 0 = shot\n# column 1 = time\n# column 2 = East\n# column 3 = North\n# column 4 = ellipsoidal height",
+        "shot time Eastings Northings Height",
+    ],
+)
+def test_names_in_comments(tmp_path, heading):
+    shape = shapes.read(write(tmp_path, "a.txt", f"{heading}\n{lines(LASER)}"))
+    assert is_right(shape, normals=False) and shape.columns[2:] == ("x", "y", "z") and shape.notes == ()
+    assert shape.up == ((0, 0, 1) if "ast" in heading.lower() or " E N " in heading else None)
+
+
+def test_names_in_comments_need_a_column_each(tmp_path):
+    shape = shapes.read(write(tmp_path, "a.txt", "# x y z of shots\n# shot at x y z w u\n" + lines(POINTS)))
+    assert is_right(shape, normals=False)
+
+
+def test_coordinates_of_the_map_come_before_degrees(tmp_path):
+    text = "lat,lon,height,Easting,Northing,H_ortho\n" + lines(0 * POINTS[:, :2], POINTS[:, 2:], POINTS, mark=",")
+    shape = shapes.read(write(tmp_path, "a.csv", text))
+    assert is_right(shape, normals=False) and shape.notes == ()
+
+
+ODD = {"1.#IND": np.nan, "-1.#IND00": np.nan, "1.#QNAN": np.nan, "-1.#INF": -np.inf, "1.#INF00": np.inf, "nan(ind)": np.nan,
+       "-nan(ind)": np.nan, "nan(snan)": np.nan, "-nan": np.nan, "1.#J": np.nan}  # fmt: skip
+
+
+@pytest.mark.parametrize("word", ODD)
+def test_numbers_of_other_languages_that_are_not_finite(tmp_path, word):
+    xyz = "property float x\nproperty float y\nproperty float z\nend_header\n"
+    files = {
+        "a.obj": f"v 1 2 {word}\nv 0 1 0\nv 1 0 0\nf 1 2 3\n",
+        "a.xyz": f"1 2 {word}\n0 1 0\n",
+        "a.csv": f"x,y,z\n1,2,{word}\n0,1,0\n",
+        "a.off": f"OFF\n3 1 0\n1 2 {word}\n0 1 0\n1 0 0\n3 0 1 2\n",
+        "a.stl": f"solid a\nfacet normal 0 0 {word}\nouter loop\nvertex 1 2 {word}\nvertex 0 1 0\nvertex 1 0 0\nendloop\n"
+        "endfacet\nendsolid a\n",
+        "a.ply": f"ply\nformat ascii 1.0\nelement vertex 2\n{xyz}1 2 {word}\n0 1 0\n",
+        "a.pcd": f"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\nDATA ascii\n1 2 {word}\n0 1 0\n",
+        "a.asc": f"ncols 2\nnrows 3\ncellsize 1\n{word} 1\n2 3\n4 5\n",
+    }
+    for name, text in files.items():
+        points = shapes.read(write(tmp_path, name, text)).points
+        if name == "a.asc":
+            assert len(points) == 5
+        else:
+            np.testing.assert_array_equal(points[:2], [[1, 2, ODD[word]], [0, 1, 0]], name)
+    shape = shapes.read(write(tmp_path, "no_ending", f"{word} 2 3\n4 5 6\n7 8 9\n"))
+    assert shape.format == "text" and len(shape.points) == 3
 
 
 def test_a_large_table_is_read_fast(tmp_path):
@@ -147,6 +227,43 @@ def test_a_large_table_is_read_fast(tmp_path):
 CUBE_OBJ = "# made by a test\no cube\n" + "".join(f"v {x} {y} {z}\n" for x, y, z in CUBE) + "".join(
     "f " + " ".join(str(i + 1) for i in quad) + "\n" for quad in QUADS
 )
+ZEROS = {"begin": b"\0\0" + CUBE_OBJ.encode(), "lines": CUBE_OBJ.replace("\n", "\0\n").encode(), "end": CUBE_OBJ.encode() + bytes(9),
+         "words": CUBE_OBJ.replace(" ", "\0 ").encode(), "wide": CUBE_OBJ.encode("utf-16-le"), "big": CUBE_OBJ.encode("utf-16-be")}  # fmt: skip
+
+
+@pytest.mark.parametrize("where", ZEROS)
+def test_zero_bytes_in_text_are_spaces(tmp_path, where):
+    shape = shapes.read(write(tmp_path, "a.obj", ZEROS[where]))
+    np.testing.assert_array_equal(shape.points, CUBE)
+    assert len(shape.triangles) == 12
+
+
+OFF_CORNERS = [" ".join(map(str, corner)) for corner in CUBE]
+OFF_QUADS = [" ".join(map(str, (4, *quad))) for quad in QUADS]
+STREAMS = {
+    "one line": "OFF 8 6 12 " + " ".join(OFF_CORNERS + OFF_QUADS),
+    "a word a line": "OFF\n" + "\n".join(" ".join(["8", "6", "12", *OFF_CORNERS, *OFF_QUADS]).split()),
+    "faces over lines": "OFF\n8 6 12\n" + "\n".join(OFF_CORNERS) + "\n" + "\n".join(OFF_QUADS).replace(" ", "\n", 1).replace(" 3", "\n3"),
+    "two faces a line": "OFF\n8 6 12\n" + "\n".join(OFF_CORNERS) + "\n" + "\n".join(OFF_QUADS[:3]) + " " + " ".join(OFF_QUADS[3:]) + "\n",
+    "corners over lines": "OFF\n8 6 12\n" + "\n".join(OFF_CORNERS).replace(" ", "\n") + "\n" + "\n".join(OFF_QUADS),
+    "colours": "OFF\n8 6 12\n" + "\n".join(OFF_CORNERS) + "\n" + "".join(q.replace(" ", "\n", 2) + " 255 0 7\n" for q in OFF_QUADS),
+    "coloured corners": "COFF\n8 6 12\n" + "".join(f"{c}\n1 0 0 1\n" for c in OFF_CORNERS) + "\n".join(OFF_QUADS),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", STREAMS)
+def test_off_is_a_stream_of_numbers(tmp_path, name):
+    shape = shapes.read(write(tmp_path, "a.off", STREAMS[name]))
+    np.testing.assert_array_equal(shape.points, CUBE)
+    assert len(shape.triangles) == 12 and shapes.mesh_facts(shape).closed
+
+
+@pytest.mark.parametrize("text", [STREAMS["faces over lines"][:-1], STREAMS["one line"] + " 7", STREAMS["one line"].replace("4 ", "4.5 ", 1)])
+def test_broken_streams_are_refused(tmp_path, text):
+    with pytest.raises(shapes.ShapeError):
+        shapes.read(write(tmp_path, "a.off", text))
+
+
 CUBE_OFF = "OFF\n8 6 0\n" + "".join(f"{x} {y} {z}\n" for x, y, z in CUBE)
 CUBE_OFF += "".join("4 " + " ".join(map(str, quad)) + "\n" for quad in QUADS)
 

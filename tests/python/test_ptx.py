@@ -58,11 +58,9 @@ LINES = ptx(wall(3, 2), 3).decode().splitlines()
 
 
 @pytest.mark.parametrize("lines, says", [
-    (LINES[:-2], "ends in the middle of the 6 points of a scan, after 4 of them"),
     (LINES[:6], "ends in the middle of a header"),
     (["0", *LINES[1:]], "line 1, column 1: a grid has 1 to 1000000000 columns; not 0"),
     (["3", "1.5", *LINES[2:]], "line 2, column 1: a grid has 1 to 1000000000 rows; not 1.5"),
-    (["3", "900000000", *LINES[2:]], "ends in the middle of the 2700000000 points"),
     (["3 2", "3", *LINES[2:]], "line 1: line 1 of a scan's header needs 1 number, not 2"),
     ([*LINES[:9], "0 0 0 2", *LINES[10:]], "line 7: the matrix of a scan"),
     ([*LINES[:9], "nan 0 0 1", *LINES[10:]], "line 7: the matrix of a scan"),
@@ -73,6 +71,21 @@ LINES = ptx(wall(3, 2), 3).decode().splitlines()
 def test_faults_are_named(tmp_path, lines, says):
     with pytest.raises(shapes.ShapeError, match=says):
         shapes.read(write(tmp_path, "a.ptx", "\n".join(lines).encode()))
+
+
+def test_missing_points_are_noted(tmp_path):
+    whole = shapes.read(write(tmp_path, "a.ptx", "\n".join(LINES).encode())).points
+    for lines, found, says in (
+        (LINES[:-2], 4, "the file lacks 2 points that its headers announce"),
+        ([*LINES[:-1], LINES[-1][:5]], 5, "the file lacks 1 point that its headers announce"),
+        (["3", "900000000", *LINES[2:]], 6, "the file lacks 2699999994 points that its headers announce"),
+    ):
+        shape = shapes.read(write(tmp_path, "a.ptx", "\n".join(lines).encode()))
+        np.testing.assert_array_equal(shape.points, whole[:found])
+        assert shape.notes == (says,)
+    shape = shapes.read(write(tmp_path, "a.ptx", "\n".join([*LINES[:-1], *LINES]).encode()))
+    np.testing.assert_array_equal(shape.points, np.concatenate([whole[:5], whole]))
+    assert shape.notes == ("2 scans are joined", "the file lacks 1 point that its headers announce")
 
 
 def looks_to(model, points, place):

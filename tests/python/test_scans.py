@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Files of scanners, height maps and VTK."""
+import gzip
 import struct
 import sys
 import types
@@ -129,10 +130,8 @@ def test_pictures_of_depth_cameras(tmp_path):
 @pytest.mark.parametrize(
     "data, words",
     [
-        (pcd("ascii")[:-300], "line 71: |ends in the middle of its 60 points"),
-        (pcd("binary")[:-300], "ends in the middle of its 60 points, after 49"),
+        (pcd("ascii").replace(b"\n5.065884 ", b"\n", 1), "line 12: 6 numbers, where the header has 7"),
         (pcd("binary_compressed")[:-300], "ends in the middle"),
-        (pcd("binary_compressed").replace(b"POINTS 60", b"POINTS 61"), "ends in the middle of its 61"),
         (pcd("ascii").replace(b"FIELDS x y z", b"FIELDS a b c"), "no x, y and z"),
         (pcd("ascii").replace(b"DATA ascii", b"DATA odd"), "'odd' are not read"),
         (pcd("ascii").replace(b"SIZE", b"SIZES"), "lacks SIZE"),
@@ -144,19 +143,48 @@ def test_broken_pcd(tmp_path, data, words):
         shapes.read(write(tmp_path, "a.pcd", data))
 
 
+@pytest.mark.parametrize("form", ["ascii", "binary", "binary_compressed"])
+def test_pcd_with_a_wrong_count(tmp_path, form):
+    for said in (59, 61, 4000):
+        data = pcd(form).replace(b"POINTS 60", f"POINTS {said}".encode())
+        shape = shapes.read(write(tmp_path, "a.pcd", data))
+        assert is_right(shape) and shape.notes == (f"the file says {said} points, but it has 60: these are read",)
+    if form == "binary_compressed":
+        return
+    shape = shapes.read(write(tmp_path, "a.pcd", pcd(form)[: -5 if form == "binary" else -12]))
+    np.testing.assert_allclose(shape.points, POINTS[:59], atol=1e-5)
+    assert shape.notes == ("the file says 60 points, but it has 59: these are read",)
+    padded = pcd(form) + (bytes(56) if form == "binary" else b"\n \n")
+    assert is_right(shapes.read(write(tmp_path, "b.pcd", padded)))
+
+
+def test_pcd_with_names_in_upper_case(tmp_path):
+    data = pcd("ascii").replace(b"FIELDS x y z rgb normal_x normal_y normal_z", b"FIELDS X Y Z RGB Normal_X NORMAL_Y normal_z")
+    shape = shapes.read(write(tmp_path, "a.pcd", data.replace(b"TYPE F F F U", b"TYPE f f F u")))
+    assert is_right(shape) and "rgb" in shape.fields
+
+
 # --- scanners and heights ----------------------------------------------------------------------
 
 
-def las(version=2, form=0, count=60):
+def las(version=2, form=0, count=60, points=POINTS, scale=0.001, records=(), flags=None, classes=None):
+    """A LAS file. `records` are pairs of an identifier and the data of a coordinate system; flags and classes are bytes."""
+    size = 30 if form == 6 else 20
+    more = b"".join(struct.pack("<H16sHH32s", 0, b"LASF_Projection", i, len(data), b"") + data for i, data in records)
     head = bytearray(375 if version == 4 else 227)
     head[:4], head[24], head[25] = b"LASF", 1, version
-    struct.pack_into("<HIIBHI", head, 94, len(head), len(head), 0, form, 20, 0 if version == 4 else count)
-    struct.pack_into("<6d", head, 131, 0.001, 0.001, 0.001, 4.0, 4.0, 4.0)
+    struct.pack_into("<HIIBHI", head, 94, len(head), len(head) + len(more), len(records), form, size, 0 if version == 4 else count)
+    shift = np.floor(points[0]) - 1
+    struct.pack_into("<6d", head, 131, *np.broadcast_to(scale, 3), *shift)
     if version == 4:
         struct.pack_into("<Q", head, 247, count)
-    table = np.zeros((60, 20), np.uint8)
-    table[:, :12] = np.round((POINTS - 4) * 1000).astype("<i4").view(np.uint8).reshape(60, 12)
-    return bytes(head) + table.tobytes()
+    table = np.zeros((len(points), size), np.uint8)
+    table[:, :12] = np.round((points - shift) / scale).astype("<i4").view(np.uint8).reshape(-1, 12)
+    if flags is not None:
+        table[:, 15] = flags
+    if classes is not None:
+        table[:, 16] = classes
+    return bytes(head) + more + table.tobytes()
 
 
 @pytest.mark.parametrize("version", [2, 4])
@@ -167,13 +195,104 @@ def test_las(tmp_path, version):
 
 
 def test_broken_las(tmp_path, monkeypatch):
-    cases = ((las()[:-100], "after 55 of them"), (las()[:100], "header is cut short"), (las(count=0), "no points"))
+    cases = ((las()[:227], "no points"), (las()[:100], "header is cut short"), (las(count=0)[:227], "no points"))
     for data, words in cases:
         with pytest.raises(shapes.ShapeError, match=words):
             shapes.read(write(tmp_path, "a.las", data))
     monkeypatch.setattr("hrbfnpr.shapes._scans.MOST_POINTS", 20)
     shape = shapes.read(write(tmp_path, "a.las", las()))
     assert len(shape.points) == 20 and shape.notes == ("20 of its 60 points are read",)
+
+
+@pytest.mark.parametrize("version", [2, 4])
+def test_las_with_a_wrong_count(tmp_path, version):
+    for said, data in ((60, las(version)[:-5]), (0, las(version, count=0)), (59, las(version, count=59)), (61, las(version, count=61))):
+        shape = shapes.read(write(tmp_path, "a.las", data))
+        found = 59 if said == 60 else 60
+        np.testing.assert_allclose(shape.points, POINTS[:found], atol=6e-4)
+        assert shape.notes == (f"the file says {said} points, but it has {found}: these are read",)
+    padded = shapes.read(write(tmp_path, "b.las", las(version) + bytes(40)))
+    assert len(padded.points) == 60 and padded.notes == ()
+
+
+# Longitude, latitude and height of a hill, and the same in metres from its middle.
+DEGREES = np.column_stack([10 + 0.005 * NORMALS[:, 0], 47 + 0.005 * NORMALS[:, 1], 500 + 25 * NORMALS[:, 2]])
+METRES = (DEGREES - [(DEGREES[:, 0].min() + DEGREES[:, 0].max()) / 2, (DEGREES[:, 1].min() + DEGREES[:, 1].max()) / 2, 0]) * [
+    111_320 * np.cos(np.radians(47)), 111_320, 1]  # fmt: skip
+GEOGRAPHIC, PROJECTED = b'GEOGCS["WGS 84",DATUM["x"]]\0', b'PROJCS["UTM 32",GEOGCS["WGS 84"]]\0'
+
+
+def keys(model):
+    """The keys of a GeoTIFF: two keys, the first of which is of the kind of model."""
+    return struct.pack("<12H", 1, 1, 0, 2, 1024, 0, 1, model, 2054, 0, 1, 9102)
+
+
+def are_metres(shape):
+    np.testing.assert_allclose(shape.points, METRES, atol=0.3)
+    assert shape.up == (0, 0, 1) and shape.notes == ("degrees are converted to metres, the unit of the heights",)
+    return True
+
+
+def test_las_in_degrees(tmp_path):
+    hill = {"points": DEGREES, "scale": (1e-7, 1e-7, 0.01)}
+    assert are_metres(shapes.read(write(tmp_path, "a.las", las(**hill))))
+    flat = {**hill, "points": DEGREES * [1, 1, 0.0001]}  # the numbers alone say nothing of degrees
+    assert shapes.read(write(tmp_path, "a.las", las(**flat))).notes == ()
+    for records in ([(2112, GEOGRAPHIC)], [(34735, keys(2))], [(7, b"no system"), (2112, GEOGRAPHIC)]):
+        shape = shapes.read(write(tmp_path, "a.las", las(**flat, records=records)))
+        np.testing.assert_allclose(shape.points[:, :2], METRES[:, :2], atol=0.3)
+    for records in ([(2112, PROJECTED)], [(34735, keys(1))], [(34735, keys(3))]):
+        shape = shapes.read(write(tmp_path, "a.las", las(**hill, records=records)))
+        np.testing.assert_allclose(shape.points, DEGREES, atol=0.01)
+    (tmp_path / "b.prj").write_bytes(PROJECTED)
+    assert shapes.read(write(tmp_path, "b.las", las(**hill))).notes == ()
+    assert len(shapes.read(write(tmp_path, "b.las", las(**hill, records=[(2112, GEOGRAPHIC)]))).notes) == 1  # its own is first
+
+
+@pytest.mark.parametrize("heading", ["", "lon,lat,height", "Longitude,Latitude,Elevation (m)", '"LON","LAT","Z"', "lng,lat,alt_m",
+                                     "GLON,GLAT,ZG", "LONGITUDE_LOW,LATITUDE_LOW,ELEVATION_LOW", "x_deg,y_deg,h"])  # fmt: skip
+def test_text_in_degrees(tmp_path, heading):
+    text = lines(DEGREES, mark=",", form="{:.9f}")
+    assert are_metres(shapes.read(write(tmp_path, "a.csv", f"{heading}\n{text}" if heading else text)))
+    assert are_metres(shapes.read(write(tmp_path, "a.txt", (f"# {heading}\n" if heading else "") + text)))
+    swapped = lines(DEGREES[:, [1, 0, 2]], mark=";", form="{:.9f}")
+    if heading.startswith(("lon", "Lon")):
+        names = heading.split(",")
+        shape = shapes.read(write(tmp_path, "a.csv", f"{names[1]};{names[0]};{names[2]}\n{swapped}"))
+        assert are_metres(shape) and shape.columns == ("y", "x", "z")
+
+
+@pytest.mark.parametrize("points", [
+    DEGREES - [10, 47, 0],  # around 0, 0
+    DEGREES * [1, 2, 1],  # no latitude
+    np.column_stack([30 + NORMALS[:, 0], 40 + NORMALS[:, 1], 20 * NORMALS[:, 2]]),  # a slim column
+], ids=["local", "no latitude", "column"])  # fmt: skip
+def test_lengths_are_not_taken_for_degrees(tmp_path, points):
+    shape = shapes.read(write(tmp_path, "a.xyz", lines(points, form="{:.9f}")))
+    np.testing.assert_allclose(shape.points, points, atol=1e-6)
+    assert shape.notes == () and shape.up is None
+
+
+@pytest.mark.parametrize("form", [0, 6])
+def test_classes_of_las(tmp_path, form):
+    number = np.repeat([2, 3, 5, 6, 7, 9], 10)
+    withheld = np.arange(60) % 10 == 0
+    byte = {"flags": withheld * 128 + number} if form == 0 else {"flags": withheld * 4, "classes": number}
+    path = write(tmp_path, "a.las", las(4, form, **byte))
+    read = {(): [2, 3, 5, 6, 7, 9], (2, 6): [2, 6], (7,): [7], None: [2, 9]}
+    for wanted, kept in read.items():
+        shape = shapes.read(path, wanted)
+        np.testing.assert_allclose(shape.points, POINTS[np.isin(number, kept) & ~withheld], atol=6e-4)
+        assert shape.notes[0] == "6 withheld points left out" and len(shape.notes) == (3 if wanted is None else 2 if wanted else 1)
+    assert "only the ground is read, 18 of 45 points" in shapes.read(path).notes[2]
+    with pytest.raises(shapes.ShapeError, match="the file has the classes 2, 3, 5, 6, 7, 9"):
+        shapes.read(path, [1])
+    bare = np.where(number == 2, 1, number)  # without ground, all but the noise is read
+    byte = {"flags": bare} if form == 0 else {"classes": bare}
+    shape = shapes.read(write(tmp_path, "b.las", las(4, form, **byte)))
+    assert len(shape.points) == 50 and len(shape.notes) == 1
+    with pytest.raises(shapes.ShapeError, match="classes are of the points of LAS and LAZ"):
+        shapes.read(write(tmp_path, "a.xyz", lines(POINTS)), [2])
 
 
 class E57:
@@ -282,6 +401,40 @@ def test_grids_in_degrees(tmp_path):
 def test_broken_grids(tmp_path, text, words):
     with pytest.raises(shapes.ShapeError, match=words):
         shapes.read(write(tmp_path, "a.asc", text))
+
+
+def test_local_grids_are_not_in_degrees(tmp_path):
+    """Grids of things that were measured from close by have cells of centimetres."""
+    x, y = np.meshgrid(np.linspace(-3, 3, 40), np.linspace(-3, 3, 40))
+    hat = 2.4 * np.exp(-x * x - y * y)
+    rows = "\n".join(" ".join(f"{h:.4f}" for h in row) for row in hat)
+    corners = ((-3, -3, 0.15), (0, 0, 0.02), (100, 20, 0.15))
+    for west, south, cell in corners:
+        head = f"ncols 40\nnrows 40\nxllcorner {west}\nyllcorner {south}\ncellsize {cell}\n"
+        shape = shapes.read(write(tmp_path, "a.asc", head + rows))
+        np.testing.assert_allclose(np.ptp(shape.points, axis=0), [39 * cell, 39 * cell, np.ptp(hat)], atol=1e-3)
+        assert shape.notes == ()
+
+
+def test_a_prj_file_tells_what_a_grid_has(tmp_path):
+    degrees, metres = grid("xllcorner 10\nyllcorner 60\ncellsize 0.001\n"), grid("xllcorner 0\nyllcorner 0\ncellsize 0.02\n")
+    for said in (GEOGRAPHIC, b"Projection    GEOGRAPHIC\nUnits         DD\n"):
+        (tmp_path / "a.prj").write_bytes(said)
+        assert "degrees" in shapes.read(write(tmp_path, "a.asc", metres)).notes[0]
+        packed = gzip.compress(metres.encode())
+        assert "degrees" in shapes.read(write(tmp_path, "a.asc.gz", packed)).notes[0]
+    for said in (PROJECTED, b"Projection    UTM\nUnits         METERS\n"):
+        (tmp_path / "a.prj").write_bytes(said)
+        assert shapes.read(write(tmp_path, "a.asc", degrees)).notes == ()
+    (tmp_path / "a.prj").write_bytes(b"nothing")
+    assert "degrees" in shapes.read(write(tmp_path, "a.asc", degrees)).notes[0]
+
+
+def test_grids_of_whole_continents_are_in_degrees(tmp_path):
+    x, y = np.meshgrid(np.arange(0, 40), np.arange(0, 30))
+    heights = "\n".join(" ".join(f"{h:.0f}" for h in row) for row in 2000 * np.sin(x / 5) * np.cos(y / 7))
+    shape = shapes.read(write(tmp_path, "a.asc", "ncols 40\nnrows 30\nxllcorner -20\nyllcorner 10\ncellsize 1\n" + heights))
+    assert np.ptp(shape.points[:, 1]) == pytest.approx(29 * 111_320) and "degrees" in shape.notes[0]
 
 
 def test_large_height_maps_are_thinned(tmp_path, monkeypatch):

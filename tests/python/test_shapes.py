@@ -114,12 +114,14 @@ def test_ply_strips(tmp_path):
         (b"", "not a PLY"),
         (b"ply\nformat ascii 1.0\n", "not a PLY"),
         (ply_header("ascii", ("face", 0, ["float x"])), "no vertices"),
-        (ply_header("ascii", ("vertex", 2, XYZ)) + b"1 2 3\n", "ends in the middle"),
+        (ply_header("ascii", ("vertex", 2, XYZ)), "ends in the middle"),
         (ply_header("ascii", ("vertex", 1, XYZ)) + b"1 2\n", r"line 9: element 'vertex' is not as declared: 2 numbers instead of 3"),
         (ply_header("ascii", ("vertex", 1, XYZ)) + b"1 2 x\n", r"line 9, column 3: 'x' is not a number"),
         (ply_header("ascii", ("vertex", 0, XYZ)), "no vertices|no points"),
         (ply_header("ascii", ("vertex", -1, XYZ)), "negative"),
-        (ply_header("binary_little_endian", ("vertex", 10**9, XYZ)) + bytes(50), "ends in the middle"),
+        (ply_header("binary_little_endian", ("vertex", 10**9, XYZ)) + bytes(11), "ends in the middle"),
+        (ply_header("binary_little_endian", ("vertex", 10**9, XYZ), ("face", 1, ["list int int vertex_indices"])) + bytes(50),
+         "ends in the middle"),
         (ply_header("binary_big_endian", ("vertex", 1, XYZ), ("face", 9, ["list int int vertex_indices"]))
          + bytes(12) + b"\x7f\xff\xff\xff", "ends in the middle"),
         (ply_header("binary_big_endian", ("vertex", 1, XYZ), ("face", 1, ["list int int vertex_indices"]))
@@ -161,7 +163,6 @@ def test_xyz_and_pwn(tmp_path, name, text):
         ("1 2 3 0 0 1\n4 5 6\n", "line 2: there are 3 numbers, but line 1 has 6"),
         ("1 2 x 0 0 1\n", "line 1, column 3: 'x' is not a number"),
         ("1 2\n", "line 1: a line holds x y z, .*; this line holds 2 numbers"),
-        ("3\n1 2 3\n4 5 6\n0 0 1\n1 0 0\n", "says 3 points"),
         ("5\n", "5 points, but none follow"),
         ("-2\n1 2 3\n", "count was expected"),
     ],
@@ -169,6 +170,22 @@ def test_xyz_and_pwn(tmp_path, name, text):
 def test_broken_xyz(tmp_path, text, words):
     with pytest.raises(shapes.ShapeError, match=words):
         shapes.read(write(tmp_path, "a.xyz", text))
+
+
+def test_pwn_with_a_wrong_count_is_refused(tmp_path):
+    """Nobody can know which of its lines are normals."""
+    with pytest.raises(shapes.ShapeError, match="says 3 points, but 4 lines of 3 numbers"):
+        shapes.read(write(tmp_path, "a.pwn", "3\n1 2 3\n4 5 6\n0 0 1\n1 0 0\n"))
+
+
+@pytest.mark.parametrize("form", ["ascii", "binary_little_endian"])
+def test_ply_points_with_a_wrong_count(tmp_path, form):
+    rows = b"1 2 3\n4 5 6\n7 8 9\n" if form == "ascii" else np.arange(1, 10, dtype="<f4").tobytes()
+    for data in (rows, rows[:-3]):
+        shape = shapes.read(write(tmp_path, "a.ply", ply_header(form, ("vertex", 4, XYZ)) + data))
+        found = 3 if data == rows else 2
+        np.testing.assert_array_equal(shape.points, np.arange(1, 10).reshape(3, 3)[:found])
+        assert shape.notes == (f"the file says 4 points, but it has {found}: these are read",)
 
 
 def test_obj(tmp_path):

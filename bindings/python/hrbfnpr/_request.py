@@ -235,6 +235,7 @@ _SPECIAL: Dict[str, Any] = {
     "random_seed": _set_random_seed,
     "depth_range": lambda desc, value, keep: [("style.depth_min", repr(value[0])), ("style.depth_max", repr(value[1]))],
     "set": lambda desc, value, keep: list(value),
+    "classes": lambda desc, value, keep: [],  # for the reader of a file
     "curvature_of": lambda desc, value, keep: [(f"marks.{kind}.flags", "1") for kind in value],
 }  # fmt: skip
 
@@ -345,7 +346,7 @@ _IN_WORDS = {
     "lights": "(x, y, z), str, Light, or a sequence of these", "number_or_auto": "float or str", "count_or_auto": "int or str",
     "assignment": "mapping of str", "file": "path", "page": "(width, height) or str", "pens": "str",
     "pen_widths": "sequence of float", "fields": "str, sequence of str, or mapping of str to str",
-    "palette": "str or sequence of colours",
+    "palette": "str or sequence of colours", "classes": "str, int or sequence of int",
 }  # fmt: skip
 
 

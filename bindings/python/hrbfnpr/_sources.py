@@ -69,7 +69,7 @@ def read(path: Path, options: Options, context: Context, report: Reporter, is_sc
         with report.stage("read", "reading") as stage:
             content: Any = load_saved(path, context)
             if content is None:
-                content = shapes.read(path)
+                content = shapes.read(path, options.get("classes"))
                 for note in content.notes:
                     report.note(note)
             stage.says = in_words(content)
@@ -118,6 +118,8 @@ def scene_of(
         content, name, file = read(path, options, context, report, is_script), path.name, os.fspath(source)
     else:
         content, name, file = source, name_of(source), None
+        if "classes" in options:
+            raise ValueError("classes are of the points of a LAS or LAZ file, and the source is no file")
         if not isinstance(source, (Model, PointSet)):
             content = shape_of(source)
             for note in content.notes:

@@ -298,6 +298,15 @@ def _set(owner: Union[Style, LayerStyle], field: str, text: str) -> None:
         setattr(owner, field, paint(text) if isinstance(present, tuple) else text)
 
 
+# ---- Readers
+
+
+def classes(text: str) -> Tuple[int, ...]:
+    """Classes of points, with commas between; () for all."""
+    found = () if text == "all" else tuple(count(0, 255)(part) for part in text.split(","))
+    return tuple(dict.fromkeys(found))
+
+
 # ---- Pages
 
 
@@ -356,6 +365,7 @@ _PARSERS: Dict[str, Callable[[str], Any]] = {
     "per_layer": per_layer, "lines": lines, "interval": interval, "edges": edges, "text": str, "file": str,
     "number_or_auto": or_auto(number, "auto"), "assignment": assignment, "ground": ground, "page": page, "pens": pens,
     "pen_widths": pen_widths, "fields": fields, "palette": palette, "lights": lights,
+    "classes": classes,
 }  # fmt: skip
 
 

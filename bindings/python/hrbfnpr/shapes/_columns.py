@@ -9,10 +9,16 @@ import numpy as np
 
 from ._shape import Floats
 
-_PLACE = {
-    "x": "x", "y": "y", "z": "z", "easting": "x", "northing": "y", "east": "x", "north": "y",
-    "elevation": "z", "height": "z", "altitude": "z",
-}  # fmt: skip
+# Names of x and y on maps, the better pair first, and of heights, the better first.  The last pair are degrees.
+_MAPS = (
+    (r"east(?:ings?)?", r"north(?:ings?)?"),
+    (r"e", r"n"),
+    (r"(?:gps[_ ]?)?(?:lon|long|lng|longitude)", r"(?:gps[_ ]?)?(?:lat|latitude)"),
+    (r"(?:\w+[_ ])?[a-z]?(?:lon|longitude)(?:[_ ]\w+)?", r"(?:\w+[_ ])?[a-z]?(?:lat|latitude)(?:[_ ]\w+)?"),
+)
+_HEIGHT = r"(?:elevation|elev|ele|height|hgt|altitude|alt)"
+_HEIGHTS = (_HEIGHT, "h", rf"(?:gps|ellipsoidal|orthometric)[_ ]?{_HEIGHT}|{_HEIGHT}[_ ]\w+|[hz]_\w+|z[gt]|hae")
+_UNIT_OF_NAME = r"[_ ](?:m|metres?|meters?|mm|cm|km|ft|feet|deg|degrees?|dd|utm|wgs[_ ]?84)$"
 _COLOURS = {"r": "red", "g": "green", "b": "blue", "red": "red", "green": "green", "blue": "blue"}
 _AXIS = {"0": "x", "1": "y", "2": "z", "x": "x", "y": "y", "z": "z"}
 _UNIT = 0.02  # largest difference of a normal's length from 1
@@ -20,10 +26,12 @@ _MOST = 0.9  # share of the rows that must agree on what a column is
 
 
 class Columns(NamedTuple):
-    """A name for each column, and notes on how the names were found."""
+    """A name for each column, notes on how the names were found, and whether x and y are named as on a map, or as degrees."""
 
     names: Tuple[str, ...]
     notes: Tuple[str, ...] = ()
+    on_map: bool = False
+    degrees: bool = False
 
     def triple(self, names: Sequence[str]) -> Optional[List[int]]:
         """The places of three columns, or None if one is missing."""
@@ -35,8 +43,7 @@ class Columns(NamedTuple):
 def _name(word: str) -> str:
     """The standard name for a heading, or the heading itself if it is unknown."""
     bare = re.sub(r"[\[(](?!\d)[^\])]*[\])]", "", word.strip().strip("\"'").lower()).strip(" _")
-    if bare in _PLACE:
-        return _PLACE[bare]
+    bare = re.sub(_UNIT_OF_NAME, "", bare)
     if bare in _COLOURS:
         return _COLOURS[bare]
     normal = re.fullmatch(r"(?:n|norm|normals?)[ _:.\[]*([xyz012])\]?", bare)
@@ -52,11 +59,29 @@ def _name(word: str) -> str:
 
 def by_heading(words: Sequence[str]) -> Optional[Columns]:
     """The columns named by a line of headings, or None if it does not name x, y and z."""
+    found = [_name(word) for word in words]
+    on_map = degrees = False
+    if not {"x", "y"} <= set(found):
+        for east, north in _MAPS:
+            places = [_first(found, east), _first(found, north)]
+            if None not in places:
+                on_map, degrees = True, "lon" in east
+                for place, axis in zip(places, "xy"):
+                    found[place or 0] = axis
+                break
+    if "z" not in found:
+        height = next((place for place in (_first(found, names) for names in _HEIGHTS) if place is not None), None)
+        if height is not None:
+            found[height] = "z"
     names: List[str] = []
-    for word in words:
-        name = _name(word)
+    for name in found:
         names.append(name if name not in names else f"{name} again")
-    return Columns(tuple(names)) if all(axis in names for axis in "xyz") else None
+    return Columns(tuple(names), (), on_map, degrees) if all(axis in names for axis in "xyz") else None
+
+
+def _first(names: Sequence[str], pattern: str) -> Optional[int]:
+    """The place of the first name that matches."""
+    return next((place for place, name in enumerate(names) if re.fullmatch(pattern, name)), None)
 
 
 def _is_unit(rows: Floats) -> bool:

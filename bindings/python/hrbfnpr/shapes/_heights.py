@@ -4,18 +4,22 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, Dict, List, Tuple
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
+from ._degrees import NOTE, STEEP_GRID, are_degrees, in_metres, metres
 from ._optional import needed
-from ._shape import Floats, Shape, ShapeError, Vector
+from ._shape import Floats, Hints, Shape, ShapeError, Vector
 from ._table import at, number_at, numbers, plain
 
 UP: Vector = (0.0, 0.0, 1.0)
 MOST_CELLS = 300_000  # largest number of cells that are used; of a larger map, every second, third, ... row and column
-_METRES = 111_320.0  # length of a degree of latitude, in metres
+MOST_COLUMNS = 32  # largest number of columns of a point
+_LEAST_SQUARE = 10  # least side of a square array of heights.  A place, a normal and a colour are 9 numbers.
+_MISSING = -9999.0  # the usual mark for a missing height
 _RELIEF = 0.15  # height over width for a picture without a scale
 _KEYS = ("ncols", "nrows", "xllcorner", "xllcenter", "yllcorner", "yllcenter", "cellsize", "nodata_value", "dx", "dy")
 
@@ -50,11 +54,33 @@ def _ordinal(number: int) -> str:
     return {2: "second", 3: "third"}.get(number, f"{number}th")
 
 
-def _in_metres(cell: Tuple[float, float], west: float, south: float, rows: int, notes: List[str]) -> Tuple[float, float]:
-    """Cells in degrees become metres, as heights are."""
-    notes.append("cells in degrees are converted to metres, the unit of the heights")
-    latitude = south + rows * cell[1] / 2
-    return cell[0] * _METRES * math.cos(math.radians(latitude)), cell[1] * _METRES
+def _placed(
+    heights: Floats, cell: Tuple[float, float], form: str, notes: List[str], west: float, south: float, degrees: Optional[bool]
+) -> Shape:
+    """The mesh of a map.  Cells in degrees become metres, as heights are; without `degrees`, the numbers tell."""
+    rows, columns = heights.shape
+    known = heights[np.isfinite(heights)]
+    if degrees is None and len(known):
+        north = south + rows * cell[1]
+        degrees = are_degrees((west, south, known.min()), (west + columns * cell[0], north, known.max()), STEEP_GRID)
+    if not degrees:
+        return mesh(heights, cell, form, notes, west, south)
+    across, along = metres(south + rows * cell[1] / 2)
+    return mesh(heights, (cell[0] * across, cell[1] * along), form, [*notes, f"cells in {NOTE}"])
+
+
+def is_map(array: Any) -> bool:
+    """Whether an array of two dimensions holds heights: it is wider than a row with a point can be, or is a square."""
+    rows, columns = array.shape
+    return bool(rows > 1 and (columns > MOST_COLUMNS or columns == rows >= _LEAST_SQUARE))
+
+
+def of_array(array: Any, form: str, notes: Sequence[str] = ()) -> Shape:
+    """The height map of an array without a scale, whose first row is in the north."""
+    heights = np.array(array, dtype=np.float64)
+    heights[heights == _MISSING] = np.nan
+    scale, more = _without_scale(heights)
+    return mesh(heights * scale, (1.0, 1.0), f"height map, {form}", [*notes, *more])
 
 
 def _finite_at(word: bytes, line: int) -> float:
@@ -62,7 +88,34 @@ def _finite_at(word: bytes, line: int) -> float:
     return value if math.isfinite(value) else 0.0
 
 
-def read_grid(data: bytes) -> Shape:
+def of_axes(array: Any, east: Any, north: Any) -> Shape:
+    """The height map of an array with the x of its columns and the y of its rows, alone or as grids; None if unknown."""
+    heights = np.array(array, dtype=np.float64)
+    heights[heights == _MISSING] = np.nan
+    axes: List[Floats] = []
+    for axis, given in enumerate((east, north)):
+        if given is None:
+            return of_array(heights, "NPZ")
+        line = np.asarray(given, dtype=np.float64)
+        line = line[0, :] if line.ndim == 2 and axis == 0 else line[:, 0] if line.ndim == 2 else line
+        steps = np.diff(line)
+        if line.shape != heights.shape[1 - axis : 2 - axis] or not ((steps > 0).all() or (steps < 0).all()):
+            raise ShapeError(f"the {'xy'[axis]} of the heights must be {heights.shape[1 - axis]} numbers that rise or fall")
+        if axis == 0 and steps[0] < 0:
+            heights = heights[:, ::-1]
+        if axis == 1 and steps[0] > 0:
+            heights = heights[::-1]
+        axes.append(np.sort(line))
+    shape = mesh(heights, (1.0, 1.0), "height map, NPZ", [])
+    points, notes = shape.points.copy(), shape.notes
+    for axis, line in enumerate(axes):
+        points[:, axis] = np.interp(points[:, axis], np.arange(len(line)), line)
+    if are_degrees(points.min(axis=0), points.max(axis=0), STEEP_GRID):
+        points, notes = in_metres(points), (*notes, NOTE)
+    return replace(shape, points=points, notes=notes)
+
+
+def read_grid(data: bytes, hints: Hints = Hints()) -> Shape:
     """Read an ESRI ASCII grid: a header with ncols, nrows and cellsize, then rows of heights from the north."""
     text = plain(data)
     head: Dict[str, float] = {}
@@ -85,12 +138,9 @@ def read_grid(data: bytes) -> Shape:
         last = int(values.lines[-1]) if len(values.lines) else number
         raise at(last, 0, f"the height map has {len(values.values)} heights, but its header says {columns} x {rows}")
     heights = values.values.reshape(rows, columns).copy()
-    heights[heights == head.get("nodata_value", -9999.0)] = np.nan
-    notes: List[str] = []
+    heights[heights == head.get("nodata_value", _MISSING)] = np.nan
     west, south = head.get("xllcorner", head.get("xllcenter", 0.0)), head.get("yllcorner", head.get("yllcenter", 0.0))
-    if max(cell) < 0.1 and abs(west) <= 360 and abs(south) <= 90 and np.nanmax(heights) - np.nanmin(heights) > 1:
-        return mesh(heights, _in_metres(cell, west, south, rows, notes), "height map, ESRI grid", notes)
-    return mesh(heights, cell, "height map, ESRI grid", notes, west, south)
+    return _placed(heights, cell, "height map, ESRI grid", [], west, south, hints.degrees)
 
 
 def read_pgm(data: bytes) -> Shape:
@@ -121,10 +171,16 @@ def _scale_of(comments: str, heights: Floats) -> Tuple[Tuple[float, float], floa
         side = float(found.group(1))
         unit = 0.1 if "decimet" in comments else 0.01 if "centimet" in comments else 1.0
         return (side, float(found.group(2) or side)), unit, []
-    relief = float(heights.max() - heights.min())
-    scale = _RELIEF * max(heights.shape) / relief if relief > 0 else 1.0
-    note = f"the picture gives no scale: its heights are set to {_RELIEF:.0%} of its longer side"
-    return (1.0, 1.0), scale, [note]
+    scale, notes = _without_scale(heights)
+    return (1.0, 1.0), scale, notes
+
+
+def _without_scale(heights: Floats) -> Tuple[float, List[str]]:
+    """The factor that makes the relief of heights of unknown unit a share of the longer side, and a note."""
+    known = heights[np.isfinite(heights)]
+    relief = float(np.ptp(known)) if len(known) else 0.0
+    scale = _RELIEF * max(heights.shape) / relief if 0 < relief < math.inf else 1.0
+    return scale, [f"the map gives no scale: its heights are set to {_RELIEF:.0%} of its longer side"]
 
 
 def read_geotiff(path: Path) -> Shape:
@@ -151,7 +207,7 @@ def _raster(path: Path, form: str) -> Shape:
                 band: Any = source.read(1, out_shape=shape, masked=True)
                 place = source.transform
                 cell = (abs(place.a) * source.width / shape[1], abs(place.e) * source.height / shape[0])
-                bounds, degrees = source.bounds, bool(source.crs and source.crs.is_geographic)
+                bounds, degrees = source.bounds, bool(source.crs.is_geographic) if source.crs else None
                 size = (source.width, source.height)
         except Exception as error:  # the types differ between versions of rasterio
             raise ShapeError(f"rasterio cannot read it: {error}") from None
@@ -159,7 +215,4 @@ def _raster(path: Path, form: str) -> Shape:
         notes.append(f"its {size[0]} x {size[1]} heights are reduced to {shape[1]} x {shape[0]}")
     filled: Any = np.ma.filled  # NumPy gives it no types
     heights = filled(band.astype(np.float64), np.nan)
-    if degrees:
-        cell = _in_metres(cell, bounds.left, bounds.bottom, shape[0], notes)
-        return mesh(heights, cell, f"height map, {form}", notes)
-    return mesh(heights, cell, f"height map, {form}", notes, bounds.left, bounds.bottom)
+    return _placed(heights, cell, f"height map, {form}", notes, bounds.left, bounds.bottom, degrees)

@@ -9,15 +9,20 @@ from typing import Any, Dict, Optional, Tuple
 
 import numpy as np
 
+from . import _heights
 from ._attributes import COLOUR, PointValues, attributes, colours, scalars
 from ._columns import Columns, by_content, by_heading
+from ._degrees import NOTE, in_metres, points_are_degrees
+from ._heights import MOST_COLUMNS
 from ._shape import Floats, Shape, ShapeError
-from ._xyz import fields_of
+from ._xyz import UP, fields_of
 
 _HINT = "give points as an array of n x 3 numbers; an .npz file may also hold arrays normals and triangles"
 _POINTS = ("points", "point", "vertices", "verts", "vertex", "positions", "position", "pos", "xyz", "coords", "v", "arr_0")
 _NORMALS = ("normals", "normal", "vertex_normals", "n", "vn")
-_MOST_COLUMNS = 32  # largest number of columns of a point
+_HEIGHTS = ("heights", "height", "elevation", "elevations", "dem", "dsm", "dtm", "z", "zz")
+_EAST = ("x", "xx", "lon", "lons", "longitude", "easting")
+_NORTH = ("y", "yy", "lat", "lats", "latitude", "northing")
 _FACES = ("triangles", "faces", "face", "tri", "cells", "f")
 _COLOURS = ("rgb", "colors", "colours", "color", "colour", "vertex_colors")
 
@@ -35,9 +40,14 @@ def read_npz(data: bytes) -> Shape:
     except (ValueError, OSError, EOFError, zipfile.BadZipFile, zlib.error) as error:
         raise ShapeError(f"not a usable NPZ file: {_first_line(error)}") from None
     place, normal, face = (_first(arrays, names) for names in (_POINTS, _NORMALS, _FACES))
+    heights = _first(arrays, _HEIGHTS)
+    if place is None and heights is not None and arrays[heights].ndim == 2 and arrays[heights].dtype.kind in "fiu":
+        return _heights.of_axes(arrays[heights], *(arrays.get(_first(arrays, names) or "") for names in (_EAST, _NORTH)))
     if place is None:
         raise ShapeError(f"there is no array of points among {', '.join(sorted(arrays)) or 'none'}; {_HINT}")
     shape = _points(arrays[place], "NPZ")
+    if shape.is_mesh:
+        return shape  # a height map
     normals = _rows(arrays[normal], normal) if normal is not None else shape.normals
     if normals is not None and normals.shape != shape.points.shape:
         raise ShapeError(f"{normal} is {_shape(normals)}, but {place} is {_shape(shape.points)}")
@@ -86,9 +96,13 @@ def _points(array: Any, form: str) -> Shape:
     if array.dtype.names:
         return _named(array, form)
     notes: Tuple[str, ...] = ()
-    if array.ndim == 2 and array.shape[0] in (3, 6) and array.shape[1] > _MOST_COLUMNS:
+    if array.ndim == 3 and 1 in (array.shape[0], array.shape[2]):  # one band of a picture
+        array = array.reshape([side for k, side in enumerate(array.shape) if k == 1 or side != 1])
+    if array.ndim == 2 and array.shape[0] in (3, 6) and array.shape[1] > MOST_COLUMNS:
         notes = (f"the array is {_shape(array)}: its columns are read as points",)
         array = array.T
+    if array.ndim == 2 and array.dtype.kind in "fiu" and _heights.is_map(array):
+        return _heights.of_array(array, form)
     table = _rows(array, "the array")
     columns = by_content(table)
     normals = columns.triple(("nx", "ny", "nz"))
@@ -119,7 +133,11 @@ def _named(array: Any, form: str) -> Shape:
     assert points is not None
     named = {name: record[own] for name, own in zip(columns.names, array.dtype.names)}
     fields = attributes({name: column for name, column in named.items() if column.dtype.kind in "fiub" and column.ndim == 1})
-    return Shape(points, triple(("nx", "ny", "nz")), format=form, columns=columns.names, fields=fields)
+    degrees = columns.degrees and points_are_degrees(points, True)
+    return Shape(
+        in_metres(points) if degrees else points, triple(("nx", "ny", "nz")), format=f"map, {form}" if columns.on_map else form,
+        columns=columns.names, up=UP if columns.on_map else None, notes=(NOTE,) if degrees else (), fields=fields,
+    )  # fmt: skip
 
 
 def _numbers(array: Any, name: str) -> Floats:

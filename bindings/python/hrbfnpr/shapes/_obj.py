@@ -190,6 +190,20 @@ def read_off(data: bytes) -> Shape:
     counts, begin = _counts(rest, start.start(), first)
     first += rest.count(b"\n", 0, begin)
     rows = numbers(rest[begin:], first) if counts[0] or counts[1] else numbers(b"")
+    # Vertices and faces are usually on a line each, but the format is a stream of numbers.
+    usual = len(rows.counts) == counts[0] + counts[1]
+    stream = None if usual else _regrouped(rows, counts, kind)
+    try:
+        return _off_shape(rows if stream is None else stream, counts, kind)
+    except ShapeError:
+        stream = _regrouped(rows, counts, kind) if usual else None
+        if stream is None:
+            raise
+        return _off_shape(stream, counts, kind)
+
+
+def _off_shape(rows: Rows, counts: List[int], kind: str) -> Shape:
+    """The mesh of rows that are vertices, then faces."""
     if len(rows.counts) < counts[0] + counts[1]:
         raise ShapeError(
             f"the OFF file ends before its {counts[0]} vertices and {counts[1]} faces do: "
@@ -204,6 +218,33 @@ def read_off(data: bytes) -> Shape:
     return Shape(table[:, :3], table[:, 3:] if width == 6 else None, triangles, "OFF", columns, fields=fields)
 
 
+def _regrouped(rows: Rows, counts: List[int], kind: str) -> Optional[Rows]:
+    """The same numbers with a row for each vertex and each face; None if they are too few, or no faces.
+
+    A face may end with up to four numbers of a colour, which are on the line of its last corner.
+    """
+    lines, width = np.repeat(rows.lines, rows.counts), 6 if "N" in kind else 3
+    line_of, values = lines.tolist(), rows.values.tolist()
+    for coloured in (False, True):
+        for colour in (4, 3) if "C" in kind else (0,):
+            sizes, start = [width + colour] * counts[0], counts[0] * (width + colour)
+            for _ in range(counts[1]):
+                corners = values[start] if start < len(values) else -1.0
+                if not (0 <= corners < len(values) - start and corners == int(corners)):
+                    break
+                end = start + 1 + int(corners)
+                if not all(corner.is_integer() and 0 <= corner < counts[0] for corner in values[start + 1 : end]):
+                    break
+                while coloured and end < len(values) and line_of[end] == line_of[end - 1] and end - start - 1 < corners + 4:
+                    end += 1
+                sizes.append(end - start)
+                start = end
+            if len(sizes) == sum(counts[:2]) and start == len(values):
+                first = np.cumsum(sizes) - sizes
+                return Rows(rows.values, np.array(sizes, dtype=np.int64), lines[first])
+    return None
+
+
 def _off_colours(rows: Rows, width: int) -> Dict[str, PointValues]:
     """The colours after `width` numbers of each vertex, if all vertices have them: from 0 to 1, or to 255."""
     if not (rows.counts >= width + 3).all():
@@ -212,11 +253,15 @@ def _off_colours(rows: Rows, width: int) -> Dict[str, PointValues]:
 
 
 def _counts(text: bytes, start: int, first_line: int) -> Tuple[List[int], int]:
-    """The numbers of vertices and faces, and the end of their line."""
+    """The numbers of vertices and faces, and the end of the counts, which are usually on one line."""
     end = text.find(b"\n", start)
     end = len(text) if end < 0 else end
     line = first_line + text.count(b"\n", 0, start)
     words = text[start:end].split()
+    three = re.match(rb"\s*\d+\s+\d+\s+\d+(?!\S)", text[start:])
+    if three is not None and len(words) not in (2, 3):
+        end = start + three.end()
+        words = text[start:end].split()
     for column, word in enumerate(words, 1):
         if not word.isdigit() or len(word) > 18:
             raise at(line, column, f"a count was expected, not {shown(word)}")

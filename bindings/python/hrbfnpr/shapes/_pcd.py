@@ -10,7 +10,7 @@ import numpy as np
 
 from ._attributes import COLOUR, PointValues, attributes, colours
 from ._shape import Floats, Shape, ShapeError, Vector
-from ._table import at, numbers
+from ._table import about_count, at, numbers, records
 
 _TYPES = {"F": "f", "I": "i", "U": "u"}
 _LEAST_PICTURE = 16  # least number of rows and columns of a picture
@@ -21,12 +21,12 @@ def read_pcd(data: bytes) -> Shape:
     """Read the bytes of a PCD file."""
     head, offset, line = _header(data)
     try:
-        names = head["FIELDS"]
+        names = [name.lower() for name in head["FIELDS"]]
         sizes, types = [int(word) for word in head["SIZE"]], head["TYPE"]
         counts = [int(word) for word in head.get("COUNT", ["1"] * len(names))]
         points = int(head["POINTS"][0]) if "POINTS" in head else int(head["WIDTH"][0]) * int(head["HEIGHT"][0])
         form = head["DATA"][0].lower()
-        fields = [(f"{name} {i}", f"<{_TYPES[kind]}{size}", (count,))
+        fields = [(f"{name} {i}", f"<{_TYPES[kind.upper()]}{size}", (count,))
                   for i, (name, kind, size, count) in enumerate(zip(names, types, sizes, counts))]  # fmt: skip
         np.dtype(fields)
     except (KeyError, ValueError, IndexError, TypeError) as error:
@@ -34,14 +34,15 @@ def read_pcd(data: bytes) -> Shape:
     if not len(names) == len(sizes) == len(types) == len(counts) or points < 0 or min(counts, default=0) < 1:
         raise ShapeError("the PCD header has lists that differ in length, or a count that is too small")
     if form == "ascii":
-        columns = _ascii(data[offset:], line, names, counts, points)
+        columns = _ascii(data[offset:], line, names, counts)
     elif form == "binary":
         columns = _packed(data[offset:], np.dtype(fields), points)
     elif form == "binary_compressed":
-        columns = _compressed(data[offset:], fields, points)
+        columns = _compressed(data[offset:], fields)
     else:
         raise ShapeError(f"PCD files with data in the form {form!r} are not read")
-    shape = replace(_shape(columns, tuple(names), form), viewpoint=_viewpoint(head.get("VIEWPOINT", [])))
+    notes = about_count(points, len(columns[names[0]]))
+    shape = replace(_shape(columns, tuple(names), form), viewpoint=_viewpoint(head.get("VIEWPOINT", [])), notes=notes)
     up = _up_of_picture(shape.points, head)
     if up is None:
         return shape
@@ -122,11 +123,11 @@ def _header(data: bytes) -> Tuple[Dict[str, List[str]], int, int]:
     raise ShapeError("not a PCD file, or its header is cut short: there is no DATA line")
 
 
-def _ascii(data: bytes, line: int, names: List[str], counts: List[int], points: int) -> Dict[str, Any]:
+def _ascii(data: bytes, line: int, names: List[str], counts: List[int]) -> Dict[str, Any]:
     rows = numbers(data, line)
-    if len(rows.counts) < points:
-        raise ShapeError(f"the PCD file ends in the middle of its {points} points, after {len(rows.counts)} of them")
-    width = sum(counts)
+    width, points = sum(counts), len(rows.counts)
+    if points and rows.counts[-1] < width:
+        points -= 1  # the file ends within a line
     for i in np.flatnonzero(rows.counts[:points] != width):
         raise at(int(rows.lines[i]), 0, f"{rows.counts[i]} numbers, where the header has {width}")
     table = rows.values[: width * points].reshape(points, width)
@@ -135,14 +136,11 @@ def _ascii(data: bytes, line: int, names: List[str], counts: List[int], points: 
 
 
 def _packed(data: bytes, dtype: Any, points: int) -> Dict[str, Any]:
-    there = len(data) // max(dtype.itemsize, 1)
-    if there < points:
-        raise ShapeError(f"the PCD file ends in the middle of its {points} points, after {there} of them")
-    table = np.frombuffer(data, dtype, points)
+    table = np.frombuffer(data, dtype, records(data, dtype.itemsize, points))
     return {name.rsplit(" ", 1)[0]: table[name][:, 0] for name in dtype.names}
 
 
-def _compressed(data: bytes, fields: List[Any], points: int) -> Dict[str, Any]:
+def _compressed(data: bytes, fields: List[Any]) -> Dict[str, Any]:
     """Unpack all numbers of the first field, then those of the second, and so on; they are compressed with LZF."""
     if len(data) < 8:
         raise ShapeError("the PCD file ends before its points")
@@ -150,9 +148,8 @@ def _compressed(data: bytes, fields: List[Any], points: int) -> Dict[str, Any]:
     if len(data) < 8 + packed:
         raise ShapeError(f"the PCD file ends in the middle of its {packed} compressed bytes, after {len(data) - 8}")
     raw, at_byte, columns = _unpack(data[8 : 8 + packed], size), 0, {}
+    points = size // np.dtype(fields).itemsize
     for name, kind, (count,) in fields:
-        if at_byte + points * count * np.dtype(kind).itemsize > len(raw):
-            raise ShapeError(f"the PCD file ends in the middle of its {points} points")
         numbers_ = np.frombuffer(raw, kind, points * count, at_byte)
         columns[name.rsplit(" ", 1)[0]] = numbers_.reshape(points, count)[:, 0]
         at_byte += numbers_.nbytes

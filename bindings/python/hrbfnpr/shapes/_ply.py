@@ -13,7 +13,7 @@ from ._attributes import PointValues, attributes
 from ._polygons import fans, fans_of_block
 from ._shape import Floats, Integers, Shape, ShapeError, Vector, strips
 from ._sharp_edges import of_vertices
-from ._table import Rows, at, check_indices, numbers, polygons
+from ._table import Rows, about_count, at, check_indices, numbers, polygons
 
 _TYPES = {
     "char": "i1", "int8": "i1", "uchar": "u1", "uint8": "u1", "bool": "u1",
@@ -68,7 +68,13 @@ def read_ply(data: bytes) -> Shape:
     first_line = data.count(b"\n", 0, offset) + 1 if b"\n" in data[:offset] else data.count(b"\r", 0, offset) + 1
     reader: Union[_Ascii, _Binary] = _Ascii(data[offset:], first_line) if order == "" else _Binary(data, offset, order)
     columns: Dict[str, Dict[str, Any]] = {}
+    notes: Tuple[str, ...] = ()
+    last = [element for element in elements if element.count > 0][-1:]
     for element in elements:
+        if [element] == last and element.name == "vertex" and not element.has_lists:  # points: those that are there are read
+            there = min(element.count, reader.there(element))
+            if there > 0:
+                notes, element.count = about_count(element.count, there), there
         columns[element.name] = reader.read(element)
     vertex = columns.get("vertex")
     if vertex is None or not all(axis in vertex for axis in "xyz"):
@@ -83,7 +89,7 @@ def read_ply(data: bytes) -> Shape:
     triangles = _triangles(columns, points)
     sharp = None if triangles is None or normals is None else of_vertices(points, triangles, normals)
     return Shape(points, normals, triangles, f"PLY, {form}", names, viewpoint=seen_from, sharp_edges=sharp,
-                 fields=_values_of(vertex, len(points)))  # fmt: skip
+                 notes=notes, fields=_values_of(vertex, len(points)))  # fmt: skip
 
 
 def _values_of(vertex: Dict[str, Any], count: int) -> Dict[str, PointValues]:
@@ -167,6 +173,11 @@ class _Ascii:
         self._starts = self._rows.starts
         self._next = 0
 
+    def there(self, element: _Element) -> int:
+        """The number of whole rows that are left, if all are as wide as the element."""
+        left = self._rows.counts[self._next :]
+        return len(left) - int(len(left) > 0 and left[-1] < len(element.properties))
+
     def read(self, element: _Element) -> Dict[str, Any]:
         first, last = self._next, self._next + element.count
         self._next = last
@@ -244,6 +255,10 @@ class _Binary:
         values = np.frombuffer(self._data, dtype, count, self._at)
         self._at += count * dtype.itemsize
         return values
+
+    def there(self, element: _Element) -> int:
+        """The number of elements without lists for which bytes are left."""
+        return (len(self._data) - self._at) // int(self._dtype(element, []).itemsize)
 
     def _dtype(self, element: _Element, lengths: List[int]) -> Any:
         """The type of an element whose lists have these lengths."""

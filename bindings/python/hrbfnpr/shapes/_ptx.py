@@ -31,13 +31,17 @@ def read_ptx(data: bytes) -> Shape:
     scans: List[Floats] = []
     values: List[Optional[Floats]] = []  # intensities and colours of each scan; None if its lines have none
     stood: Vector = (0.0, 0.0, 0.0)
-    line, empty = 0, 0
+    line, empty, missing = 0, 0, 0
     while line < len(rows.counts):
         columns, height, matrix = _header(rows, starts, line)
         line += len(_HEADER)
-        points = _grid(rows, starts, line, columns * height)
-        more = _more(rows, starts, line, columns * height)
-        line += columns * height
+        count = _there(rows, line, columns * height)
+        missing += columns * height - count
+        points = _grid(rows, starts, line, count)
+        more = _more(rows, starts, line, count)
+        line += count
+        if count < columns * height and line + 1 == len(rows.counts):
+            line += 1  # the file ends within this line
         there = (points != 0.0).any(axis=1)
         empty += int((~there).sum())
         stood = (float(matrix[3, 0]), float(matrix[3, 1]), float(matrix[3, 2]))
@@ -47,6 +51,8 @@ def read_ptx(data: bytes) -> Shape:
     if len(places) == 0:
         raise ShapeError("the PTX file has no points: all places of its grids are empty")
     notes = [f"{len(scans)} scans are joined"] if len(scans) > 1 else []
+    if missing:
+        notes.append(f"the file lacks {missing} point{'' if missing == 1 else 's'} that its headers announce")
     if empty:
         notes.append(f"{empty} places of {'its grids' if len(scans) > 1 else 'its grid'} are empty")
     viewpoint = stood if len(scans) == 1 else None
@@ -84,11 +90,18 @@ def _header(rows: Rows, starts: Integers, line: int) -> Tuple[int, int, Floats]:
     return sides[0], sides[1], matrix
 
 
+def _there(rows: Rows, line: int, count: int) -> int:
+    """The number of a grid's points that are there: the file, or the last line, may be cut short, or the next scan begins."""
+    counts = rows.counts[line : line + count]
+    for start in np.flatnonzero(counts == 1):
+        if tuple(rows.counts[line + start : line + start + len(_HEADER)]) == _HEADER:
+            return int(start)
+    is_cut = len(counts) > 0 and line + count >= len(rows.counts) and counts[-1] < counts[0] and len(counts) > 1
+    return len(counts) - int(is_cut)
+
+
 def _grid(rows: Rows, starts: Integers, line: int, count: int) -> Floats:
     """The places of a grid's points.  Their lines may continue with intensities and colours."""
-    there = len(rows.counts) - line
-    if there < count:
-        raise ShapeError(f"the PTX file ends in the middle of the {count} points of a scan, after {there} of them")
     short = np.flatnonzero(rows.counts[line : line + count] < 3)
     if len(short):
         i = line + int(short[0])

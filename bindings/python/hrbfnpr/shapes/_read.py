@@ -9,7 +9,7 @@ import tempfile
 import zlib
 from dataclasses import replace
 from pathlib import Path
-from typing import Callable, Dict, NamedTuple, Optional, Tuple, Union
+from typing import Callable, Dict, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from . import _assimp, _cad, _heights, _scans, _vtk
 from ._3mf import is_3mf, read_3mf
 from ._amf import MAGIC as AMF_MAGIC
 from ._amf import read_amf
+from ._degrees import prj_says
 from ._gltf import read_gltf
 from ._npy import read_npy, read_npz
 from ._obj import read_obj, read_off
@@ -24,19 +25,24 @@ from ._pcd import read_pcd
 from ._ply import read_ply
 from ._ptx import MAGIC as PTX_MAGIC
 from ._ptx import read_ptx
-from ._shape import Shape, ShapeError
+from ._shape import Hints, Shape, ShapeError
 from ._stl import read_stl
+from ._table import plain
 from ._xyz import read_xyz
 
 _HEAD = 65536  # number of bytes that are examined to find the format
 
 
 class Format(NamedTuple):
-    """A name, and the reader.  It takes bytes, or a path if a library needs one or the file may be large."""
+    """A name, and the reader.  It takes bytes, or a path if a library needs one or the file may be large.
+
+    `hinted`: whether the reader also takes hints.
+    """
 
     name: str
-    read: Optional[Callable[[bytes], Shape]] = None
-    read_path: Optional[Callable[[Path], Shape]] = None
+    read: Optional[Callable[..., Shape]] = None
+    read_path: Optional[Callable[..., Shape]] = None
+    hinted: bool = False
 
 
 def _gltf_of(path: Path) -> Shape:
@@ -47,10 +53,10 @@ FORMATS: Dict[str, Format] = {
     one.name: one
     for one in (
         Format("PLY", read_ply), Format("OBJ", read_obj), Format("STL", read_stl), Format("OFF", read_off),
-        Format("text", read_xyz), Format("PCD", read_pcd), Format("glTF", None, _gltf_of),
+        Format("text", read_xyz, hinted=True), Format("PCD", read_pcd), Format("glTF", None, _gltf_of),
         Format("MNI object", None, _vtk.read_mni), Format("VTP", None, _vtk.read_vtp), Format("VTU", None, _vtk.read_vtu),
-        Format("VTK", None, _vtk.read_vtk), Format("LAS", None, _scans.read_las), Format("E57", None, _scans.read_e57),
-        Format("grid", _heights.read_grid), Format("PGM", _heights.read_pgm),
+        Format("VTK", None, _vtk.read_vtk), Format("LAS", None, _scans.read_las, True), Format("E57", None, _scans.read_e57),
+        Format("grid", _heights.read_grid, hinted=True), Format("PGM", _heights.read_pgm),
         Format("GeoTIFF", None, _heights.read_geotiff), Format("DEM", None, _heights.read_dem), Format("3MF", None, read_3mf), Format("AMF", read_amf), Format("PTX", read_ptx),
         Format("VRML", None, _vtk.read_vrml), Format("NPY", read_npy), Format("NPZ", read_npz),
         *(Format(name, None, _assimp.read) for name in _assimp.ENDINGS.values()),
@@ -116,17 +122,17 @@ def format_of(head: bytes, size: int) -> Optional[str]:
 
 def _is_table(head: bytes) -> bool:
     """Whether the first lines hold numbers, except for headings and comments."""
-    if head[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        head = head[: len(head) // 2 * 2].decode("utf-16", errors="replace").encode()
-    if b"\0" in head:
+    try:
+        head = plain(head)
+    except ShapeError:
         return False
-    lines = [line for line in head.splitlines()[:40] if line.strip() and not line.lstrip().startswith((b"#", b"//"))]
-    table = re.compile(rb"\s*[-+.\d][-+.\deE]*(?:[,;\s]+(?:[-+.\deE]+|nan|inf))*[,;\s]*\Z", re.I)
+    lines = [line for line in head.splitlines()[:40] if line.strip() and not line.lstrip().startswith((b"#", b"//", b"%"))]
+    table = re.compile(rb"\s*NUMBER(?:[,;\s]+NUMBER)*[,;\s]*\Z".replace(b"NUMBER", rb"(?:[-+]?(?:nan|inf)|[-+.\d][-+.\deE]*)"), re.I)
     good = sum(1 for line in lines if table.match(line))
     return good >= 1 and good >= len(lines) - 2
 
 
-def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
+def read(path: Union[str, "os.PathLike[str]"], classes: Optional[Sequence[int]] = None) -> Shape:
     """Read points or a mesh from a file.
 
     Parameters
@@ -136,6 +142,9 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
         CSV, PTS, PWN); PTX, PCD, LAS, NPY and NPZ; and, with the package or program that reads them, LAZ, E57, GeoTIFF, DEM,
         VTK's formats, STEP, IGES, BREP, and formats of 3D programs such as Collada, FBX, 3DS and Blender.  The contents
         decide about the format before the ending does.  Files that are packed with gzip are unpacked.
+    classes : sequence of int, optional
+        For LAS and LAZ: the classes of the points to read, () for all.  The default reads all points but those of noise, and
+        the ground alone if points are classified as ground and as vegetation.
 
     Returns
     -------
@@ -150,10 +159,10 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
         If the file cannot be opened.
     """
     with np.errstate(invalid="ignore", over="ignore"):  # later stages leave out numbers that are not finite
-        return _read(Path(path))
+        return _read(Path(path), None if classes is None else tuple(classes))
 
 
-def _read(path: Path) -> Shape:
+def _read(path: Path, classes: Optional[Tuple[int, ...]]) -> Shape:
     with open(path, "rb") as file:
         head = file.read(_HEAD)
         size = file.seek(0, os.SEEK_END)
@@ -178,12 +187,15 @@ def _read(path: Path) -> Shape:
     if name == "text" and expected == "PTX" and len(head.split(b"\n", 1)[0].split()) < 3:
         name = expected  # a damaged PTX file: its reader reports the error in the header
     form = FORMATS[name]
+    if classes is not None and name != "LAS":
+        raise ShapeError("classes are of the points of LAS and LAZ files: leave them out")
+    more = (Hints(ending in (".xyzn", ".pwn"), prj_says(path), classes),) if form.hinted else ()
     if form.read is not None:
-        data = data if packed else path.read_bytes()
-        shape = read_xyz(data, ending in (".xyzn", ".pwn")) if name == "text" else form.read(data)
+        shape = form.read(data if packed else path.read_bytes(), *more)
     else:
         assert form.read_path is not None
-        shape = _read_unpacked(form.read_path, data, ending) if packed else form.read_path(path)
+        reader = form.read_path
+        shape = _read_unpacked(lambda file: reader(file, *more), data, ending) if packed else reader(path, *more)
     if expected is not None and name != expected and {name, expected} != {"grid", "text"}:
         what = "a table of points" if name == "text" else name
         note = f"the ending is {ending}, but the file holds {what} and is read as such"

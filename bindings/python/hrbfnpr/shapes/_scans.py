@@ -11,47 +11,106 @@ from typing import Any, Dict, List, Optional, Tuple
 import numpy as np
 
 from ._attributes import COLOUR, PointValues, colours, scalars
+from ._classes import chosen
+from ._degrees import NOTE, crs_says, in_metres, points_are_degrees
 from ._optional import needed
-from ._shape import Floats, Shape, ShapeError, Vector
+from ._shape import Floats, Hints, Shape, ShapeError, Vector
+from ._table import about_count, records
 
 UP: Vector = (0.0, 0.0, 1.0)
 MOST_POINTS = 4_000_000  # largest number of points that are read; of more points, an even part is read
 _HEADER = 227  # size of the shortest header, in bytes
+_WKT, _KEYS = 2112, 34735  # records of the coordinate system
+_MOST_RECORDS = 1000  # largest number of records in which it is looked for
+_LONGEST_WKT = 1 << 20  # largest length of its text, in bytes
 _COLOURS_AT = {2: 20, 3: 28, 5: 28, 7: 30, 8: 30, 10: 30}  # where the colour begins in the records of a format, in bytes
 
 
-def read_las(path: Path) -> Shape:
+def read_las(path: Path, hints: Hints = Hints()) -> Shape:
     """Read a LAS file, or a LAZ file with laspy."""
     with open(path, "rb") as file:
         head = file.read(375)
+        said = None if len(head) < _HEADER else _says_degrees(file, head)
     if head[:4] != b"LASF" or len(head) < _HEADER:
         raise ShapeError("not a LAS file, or its header is cut short")
     offset, form, length, count = struct.unpack_from("<I4xBHI", head, 96)
     scale, shift = struct.unpack_from("<3d", head, 131), struct.unpack_from("<3d", head, 155)
     if head[25] >= 4 and count == 0 and len(head) >= 255:  # version 1.4 has a second, 64-bit count
         count = struct.unpack_from("<Q", head, 247)[0]
-    if count == 0:
-        raise ShapeError("the LAS file has no points")
+    degrees = hints.degrees if said is None else said
     if form & 0xC0:
-        points, fields, notes = _by_laspy(path)
-        return Shape(points, None, None, "LAZ", ("x", "y", "z"), UP, notes, fields=fields)
-    there = (path.stat().st_size - offset) // max(length, 1)
-    if length < 20 or there < count:
-        raise ShapeError(f"the LAS file ends in the middle of its {count} points, after {max(there, 0)} of them")
+        points, fields, notes = _by_laspy(path, hints)
+        return _shape(points, degrees, "LAZ", notes, fields)
+    if length < 20:
+        raise ShapeError(f"the LAS file has points of {length} bytes; the least are 20")
+    there = _there(path, head, offset, length, count)
+    if there == 0:
+        raise ShapeError("the LAS file has no points")
+    notes, count = about_count(count, there), there
     at = _COLOURS_AT.get(form)
     has_colours = at is not None and at + 6 <= length
-    names, kinds, offsets = ["place", "intensity"], [("<i4", 3), "<u2"], [0, 12]
+    names, kinds, offsets = ["place", "intensity", "flags", "class"], [("<i4", 3), "<u2", "u1", "u1"], [0, 12, 15, 16]
     if has_colours:
         names, kinds, offsets = [*names, "colour"], [*kinds, ("<u2", 3)], [*offsets, at]
     record = np.dtype({"names": names, "formats": kinds, "offsets": offsets, "itemsize": length})
     table: Any = np.memmap(path, record, "r", offset, (count,))
-    step = math.ceil(count / MOST_POINTS)
-    places = np.array(table["place"][::step], dtype=np.float64)
-    notes = _taken(count, len(places))
-    fields = {"intensity": scalars(table["intensity"][::step])}
+    flags = np.array(table["flags"])
+    classes, withheld = (flags & 31, flags & 128) if form < 6 else (np.array(table["class"]), flags & 4)
+    kept, about = chosen(classes, withheld != 0, hints.classes)
+    step = math.ceil(len(kept) / MOST_POINTS)
+    notes = (*notes, *about, *_taken(len(kept), len(kept[::step])))
+    table = table[kept[::step]]
+    fields = {"intensity": scalars(table["intensity"])}
     if has_colours:
-        fields[COLOUR] = _colours(np.array(table["colour"][::step]))
-    return Shape(places * scale + shift, None, None, "LAS", ("x", "y", "z"), UP, notes, fields=fields)
+        fields[COLOUR] = _colours(table["colour"])
+    return _shape(table["place"].astype(np.float64) * scale + shift, degrees, "LAS", notes, fields)
+
+
+def _shape(points: Floats, degrees: Optional[bool], form: str, notes: Tuple[str, ...], fields: Dict[str, PointValues]) -> Shape:
+    """The shape of points of LAS.  Degrees become metres."""
+    if points_are_degrees(points, degrees):
+        points, notes = in_metres(points), (*notes, NOTE)
+    return Shape(points, None, None, form, ("x", "y", "z"), UP, notes, fields=fields)
+
+
+def _there(path: Path, head: bytes, offset: int, length: int, said: int) -> int:
+    """The number of points in a LAS file."""
+    size = path.stat().st_size - offset
+    more_follows = head[25] >= 3 and any(head[227:235]) or head[25] >= 4 and any(head[235:247])  # waveforms, or other records
+    if size <= said * length or more_follows:
+        return max(0, min(said, size // length))
+    with open(path, "rb") as file:
+        file.seek(offset + said * length)
+        return said + records(file.read(), length, 0)
+
+
+def _says_degrees(file: Any, head: bytes) -> Optional[bool]:
+    """What the coordinate system of a LAS file says, in WKT or in keys of GeoTIFF; None if it has none."""
+    (size,), (count,) = struct.unpack_from("<H", head, 94), struct.unpack_from("<I", head, 100)
+    lists = [(size, count, 54, "<20xH")]  # records after the header: an identifier, a length, and the data after a description
+    if head[25] >= 4 and len(head) >= 247:
+        lists.append((*struct.unpack_from("<QI", head, 235), 60, "<20xQ"))
+    for place, number, fixed, layout in lists:
+        for _ in range(min(number, _MOST_RECORDS)):
+            file.seek(place)
+            record = file.read(fixed)
+            if len(record) < fixed:
+                break
+            (length,) = struct.unpack_from(layout, record)
+            which = struct.unpack_from("<H", record, 18)[0] if record[2:18].startswith(b"LASF_Projection") else 0
+            if which in (_WKT, _KEYS):
+                data = file.read(min(length, _LONGEST_WKT))
+                said = crs_says(data.decode("utf-8", errors="replace")) if which == _WKT else _keys_say(data)
+                if said is not None:
+                    return said
+            place += fixed + length
+    return None
+
+
+def _keys_say(data: bytes) -> Optional[bool]:
+    """Whether keys of GeoTIFF are of a geographic system: the kind of model is 1, projected, 2, geographic, or 3, geocentric."""
+    words = np.frombuffer(data[: len(data) // 8 * 8], "<u2").reshape(-1, 4)[1:]
+    return next((bool(value == 2) for key, place, _, value in words.tolist() if (key, place) == (1024, 0)), None)
 
 
 def _colours(values: Any) -> PointValues:
@@ -63,13 +122,13 @@ def _taken(count: int, used: int) -> Tuple[str, ...]:
     return (f"{used} of its {count} points are read",) if used < count else ()
 
 
-def _by_laspy(path: Path) -> Tuple[Floats, Dict[str, PointValues], Tuple[str, ...]]:
+def _by_laspy(path: Path, hints: Hints) -> Tuple[Floats, Dict[str, PointValues], Tuple[str, ...]]:
     laspy = needed("laspy", "LAZ", "pip install laspy[lazrs], or Debian 13's python3-laspy and python3-laszip", "pdal translate or las2las turns it into LAS")
     try:
         with laspy.open(path) as file:
             count = int(file.header.point_count)
             step = math.ceil(count / MOST_POINTS)
-            more = [name for name in ("intensity", "red", "green", "blue") if name in file.header.point_format.dimension_names]
+            more = [name for name in ("intensity", "red", "green", "blue", "classification", "withheld") if name in file.header.point_format.dimension_names]
             parts: List[Any] = []
             values: List[Any] = []
             for chunk in file.chunk_iterator(1_000_000):
@@ -78,11 +137,16 @@ def _by_laspy(path: Path) -> Tuple[Floats, Dict[str, PointValues], Tuple[str, ..
     except Exception as error:  # laspy's decompressors raise various errors
         raise ShapeError(f"laspy cannot read it: {error}") from None
     points: Floats = np.concatenate(parts).astype(np.float64)
+    if len(points) == 0:
+        raise ShapeError("the LAZ file has no points")
     table = dict(zip(more, np.concatenate(values, axis=1)))
+    taken, none = _taken(count, len(points)), np.zeros(len(points))
+    kept, notes = chosen(table.pop("classification", none), table.pop("withheld", none) != 0, hints.classes)
+    points, table = points[kept], {name: column[kept] for name, column in table.items()}
     fields = {"intensity": scalars(table["intensity"])} if "intensity" in table else {}
     if {"red", "green", "blue"} <= table.keys():
         fields[COLOUR] = _colours(np.column_stack([table[name] for name in ("red", "green", "blue")]))
-    return points, fields, _taken(count, len(points))
+    return points, fields, (*taken, *notes)
 
 
 def read_e57(path: Path) -> Shape:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, List, Mapping, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -17,6 +17,18 @@ if TYPE_CHECKING:
 else:  # NumPy before 1.20 has no numpy.typing
     Floats = Integers = np.ndarray
 Vector = Tuple[float, float, float]
+
+
+class Hints(NamedTuple):
+    """What the caller of a reader knows about a file besides its contents.
+
+    `normals`: whether the ending promises normals.  `degrees`: whether x and y are degrees, by a file beside it; None if
+    there is none.  `classes`: the classes of the points to keep, () for all, None for the reader's choice.
+    """
+
+    normals: bool = False
+    degrees: Optional[bool] = None
+    classes: Optional[Tuple[int, ...]] = None
 
 
 class ShapeError(ValueError):

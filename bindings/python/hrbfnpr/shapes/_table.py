@@ -16,6 +16,9 @@ from ._shape import Floats, Integers, ShapeError
 
 _BLOCK = 1 << 24  # number of bytes that are examined together
 _UTF16 = (b"\xff\xfe", b"\xfe\xff")
+_CONTROL = bytes(set(range(1, 32)) - set(b"\t\n\v\f\r\x1a\x1b"))  # bytes of no text
+# What Microsoft's C library writes for a number that is not finite: 1.#IND, -1.#INF00 and 1.#QNAN, or -nan(ind).
+_ODD_NUMBER = re.compile(rb"(?:1\.#(?:(INF)|IND|QNAN|SNAN|J)\w*|nan\([a-z]*\))", re.I)
 
 
 class Rows(NamedTuple):
@@ -57,9 +60,28 @@ def plain(data: bytes) -> bytes:
         data = data.decode("utf-16", errors="replace").encode()
     elif data[:3] == b"\xef\xbb\xbf":
         data = data[3:]
-    if b"\0" in data[:4096]:
+    elif b"\0" in data:
+        data = _without_zeros(data)
+    return _usual_numbers(data.replace(b"\r\n", b"\n").replace(b"\r", b"\n"))
+
+
+def _without_zeros(data: bytes) -> bytes:
+    """A text in which some programs leave zero bytes, or that is UTF-16 without a mark."""
+    head = data[:4096]
+    zeros = head.count(0)
+    if len(head.translate(None, _CONTROL)) < len(head) or 2 * zeros > len(head):
         raise ShapeError("this is binary data, not text")
-    return data.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    for first, order in ((0, "utf-16-be"), (1, "utf-16-le")):
+        if head[first::2].count(0) == zeros == len(head) // 2:
+            return data.decode(order, errors="replace").encode()
+    return data.replace(b"\0", b" ")
+
+
+def _usual_numbers(text: bytes) -> bytes:
+    """The text with nan and inf as Python and NumPy write them."""
+    if b".#" not in text and b"(" not in text:
+        return text
+    return _ODD_NUMBER.sub(lambda found: b"inf" if found.group(1) else b"nan", text)
 
 
 def without_comments(text: bytes, marks: Sequence[bytes] = (b"#",)) -> bytes:
@@ -80,6 +102,7 @@ def numbers(text: bytes, first_line: int = 1, hint: str = "") -> Rows:
     hint : str
         What a message adds after a word that is no number.
     """
+    text = _usual_numbers(text)
     words, lines, counts = _words(text)
     with warnings.catch_warnings():
         # A word that is no number ends the parse, with a warning or an error by NumPy's version.
@@ -119,6 +142,18 @@ def _one_by_one(text: bytes, first_line: int, hint: str) -> Floats:
         for column, word in enumerate(line.split(), 1):
             values.append(number_at(word, number, column, hint))
     return np.array(values, dtype=np.float64)
+
+
+def about_count(said: Optional[int], found: int) -> Tuple[str, ...]:
+    """A note if a file says another number of points than it has."""
+    return () if said in (None, found) else (f"the file says {said} points, but it has {found}: these are read",)
+
+
+def records(rest: bytes, size: int, said: int) -> int:
+    """The number of records of `size` bytes in the rest of a file, without padding after those that the file announces."""
+    there = len(rest) // size
+    whole = len(rest) % size == 0 and rest[said * size :].strip(b"\0") != b""
+    return there if there <= said or whole else said
 
 
 def number_at(word: bytes, line: int, column: int, hint: str = "") -> float:

@@ -7,13 +7,17 @@ from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 
+from . import _heights
 from ._attributes import PointValues, attributes
 from ._columns import Columns, by_content, by_heading
-from ._shape import Floats, Shape, ShapeError
-from ._table import Rows, at, is_number, number_at, numbers, plain, shown, without_comments
+from ._degrees import NOTE, in_metres, points_are_degrees
+from ._shape import Floats, Hints, Shape, ShapeError, Vector
+from ._table import Rows, about_count, at, is_number, number_at, numbers, plain, shown, without_comments
 
 _HINT = "a line holds x y z, or x y z nx ny nz, and a first line may name these columns"
-_COMMENTS = (b"#", b"//")
+_COMMENTS = (b"#", b"//", b"%")
+_LISTED = re.compile(rb"(?:col(?:umn)?|field)?\W*(\d+)[\W_]+(\w.*)", re.I)  # a comment about one column, such as 1: x [m]
+UP: Vector = (0.0, 0.0, 1.0)  # of maps
 _DECIMAL = re.compile(rb"[+-]?\d+,\d+(?:[eE][+-]?\d+)?")
 _TO_SPACES = bytes.maketrans(b",;\t", b"   ")
 
@@ -29,11 +33,11 @@ class _Head(NamedTuple):
     first: bytes  # that line
 
 
-def read_xyz(data: bytes, normals_expected: bool = False) -> Shape:
+def read_xyz(data: bytes, hints: Hints = Hints()) -> Shape:
     """Read a table with three or more numbers on each line.  A heading, or their numbers, tell what the columns are.
 
     The first line may hold the number of points.  PWN has two dialects: six numbers on each line, or all points and then
-    all normals.  `normals_expected`: whether the file's ending promises normals.
+    all normals.  A table with more columns than a point can have is a height map.
     """
     text = plain(data)
     head = _head(text)
@@ -53,16 +57,26 @@ def read_xyz(data: bytes, normals_expected: bool = False) -> Shape:
         twice = _points_then_normals(rows, head.points)
         if twice is not None:
             return twice
-        table, names = _even(rows), None
-    _check_count(head.points, len(table), table.shape[1])
-    columns = Columns(names) if names else by_content(table, normals_expected)
+        rows, cut = _without_cut_line(rows, data)
+        table, names, notes = _even(rows), None, (*notes, *cut)
+    about = about_count(head.points, len(table))
+    if about and hints.normals and table.shape[1] == 3:  # half of the lines are normals, but which?
+        raise ShapeError(f"the first line says {head.points} points, but {len(table)} lines of 3 numbers follow")
+    notes = (*notes, *about)
+    if names is None and head.points is None and _heights.is_map(table):
+        return _heights.of_array(table, "text", notes)
+    columns = Columns(names) if names else by_content(table, hints.normals)
     if table.shape[1] < 3:
         raise at(head.line, 0, f"{_HINT}; this line holds {table.shape[1]} numbers")
     places, normals = columns.triple("xyz"), columns.triple(("nx", "ny", "nz"))
     assert places is not None
+    points, notes = table[:, places], (*notes, *columns.notes)
+    on_map = head.columns is not None and head.columns.on_map
+    if points_are_degrees(points, True if head.columns and head.columns.degrees else hints.degrees):
+        points, notes, on_map = in_metres(points), (*notes, NOTE), True
     return Shape(
-        table[:, places], None if normals is None else table[:, normals], format="text", columns=columns.names,
-        notes=(*notes, *columns.notes), fields=fields_of(table, columns.names),
+        points, None if normals is None else table[:, normals], format="map, text" if on_map else "text", columns=columns.names,
+        notes=notes, up=UP if on_map else None, fields=fields_of(table, columns.names),
     )  # fmt: skip
 
 
@@ -77,6 +91,7 @@ def _head(text: bytes) -> _Head:
     columns: Optional[Columns] = None
     sure = False
     count: Optional[int] = None
+    listed: List[str] = []
     start, number = 0, 0
     while start < len(text):
         end = text.find(b"\n", start)
@@ -91,8 +106,13 @@ def _head(text: bytes) -> _Head:
             if len(words) == 1 and words[0].isdigit() and len(words[0]) <= 18 and count is None:
                 count = int(words[0])
             else:
+                columns = columns or by_heading(listed)
                 _check_first(line, number, columns is not None)
                 return _Head(columns, sure, count, start, number, line)
+        elif line:
+            one = _LISTED.fullmatch(bare)
+            if one is not None and int(one.group(1)[:9]) in (len(listed), len(listed) + 1):
+                listed.append(one.group(2).decode("utf-8", errors="replace"))
         start = end + 1
     if count is not None:
         raise at(number, 0, f"this line says {count} points, but none follow")
@@ -100,7 +120,8 @@ def _head(text: bytes) -> _Head:
 
 
 def _headings(line: bytes) -> List[str]:
-    words = line.decode("utf-8", errors="replace")
+    words = re.sub(r"(?<=\w)[ _]*\((?!\d)[^()]*\)", "", line.decode("utf-8", errors="replace"))  # units in brackets
+    words = re.sub(r"^[A-Za-z ]{2,}[:=]\s+", "", words)  # as in "Columns: x y z"
     mark = next((mark for mark in (";", ",", "\t") if mark in words), None)
     return [word.strip() for word in words.split(mark)] if mark else words.split()
 
@@ -179,12 +200,22 @@ def _joined_blocks(rows: Rows, head: _Head) -> Tuple[Rows, _Head]:
         return rows, head
     alone = rows.counts == 1
     announced = rows.values[rows.starts[alone]]
-    if not alone.any() or head.points + announced.sum() != (~alone).sum():
+    if not alone.any() or not (announced == np.round(announced)).all() or announced.min() < 1:
         return rows, head
-    keep = np.ones(len(rows.values), dtype=bool)
-    keep[rows.starts[alone]] = False
-    rest = Rows(rows.values[keep], rows.counts[~alone], rows.lines[~alone])
-    return rest, head._replace(points=len(rest.counts))
+    return _chosen(rows, ~alone), head._replace(points=head.points + int(announced.sum()))
+
+
+def _chosen(rows: Rows, keep: Any) -> Rows:
+    """Some of the rows."""
+    return Rows(rows.values[np.repeat(keep, rows.counts)], rows.counts[keep], rows.lines[keep])
+
+
+def _without_cut_line(rows: Rows, data: bytes) -> Tuple[Rows, Tuple[str, ...]]:
+    """The rows without the last one if the file ends within it, and a note."""
+    if len(rows.counts) < 2 or data[-1:] in b"\r\n" or rows.counts[-1] >= rows.counts[0]:
+        return rows, ()
+    keep = np.arange(len(rows.counts)) < len(rows.counts) - 1
+    return _chosen(rows, keep), ("the file ends within its last line, which is left out",)
 
 
 def _even(rows: Rows) -> Floats:
@@ -205,6 +236,3 @@ def _points_then_normals(rows: Rows, count: Optional[int]) -> Optional[Shape]:
     return Shape(table[:count], table[count:], format="PWN", columns=("x", "y", "z", "nx", "ny", "nz"))
 
 
-def _check_count(count: Optional[int], found: int, width: int) -> None:
-    if count is not None and count != found:
-        raise ShapeError(f"the first line says {count} points, but {found} lines of {width} numbers follow")
