@@ -51,6 +51,32 @@ def ink(path):
     return (np.asarray(Image.open(path).convert("L")) < 128).mean()
 
 
+FILES = {
+    "draw": "IN {} OUT", "csg": "IN {} OUT", "sheet": "IN {} OUT", "turntable": "IN {} OUT", "sheet-views": "IN {} OUT",
+    "fit": "IN {} OUT", "points": "IN {} OUT", "check": "IN {}", "info": "IN {}",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("command", FILES)
+def test_options_may_stand_anywhere(command, capsys):
+    from hrbfnpr.cli._grammar import build
+
+    options = ["--json"] if command in ("check", "info") else ["--threads", "2"]
+    files = FILES[command].replace("{}", "").split()
+    between = " ".join(FILES[command].split()).format(" ".join(options)).split()
+    for words in ([*files, *options], [*options, *files], between, [*options, "--quiet", *between]):
+        arguments = build().parse_args([command, *words])
+        assert arguments.input == "IN" and getattr(arguments, "output", "OUT") == "OUT"
+        assert arguments.json if "--json" in words else arguments.threads == 2
+    after = build().parse_args([command, *options, "--", *(f"-{name}" for name in files)])
+    assert after.input == "-IN" and getattr(after, "output", "-OUT") == "-OUT"
+    for wrong in ([*files, "one", "two"], [*files, "--nonsense"], []):
+        if command == "info" and not wrong:
+            continue
+        with pytest.raises(SystemExit):
+            build().parse_args([command, *wrong])
+
+
 @pytest.mark.parametrize("kind", ["ply", "xyz", "pwn", "obj", "stl", "off"])
 def test_draw_every_kind(files, tmp_path, kind, capsys):
     if kind == "stl":

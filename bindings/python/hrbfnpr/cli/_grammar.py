@@ -29,7 +29,8 @@ _SURFACE_GROUPS = ("fit", "samples")
 class Parser(argparse.ArgumentParser):
     """A parser that prints an error as one line, without the usage.
 
-    `add_options` adds its options when they are first needed, because a run needs those of one command only.
+    `add_options` adds the options of a command when they are first needed, because a run needs those of one command only.
+    Options of a command may stand before, between and after its files.
     """
 
     add_options: Optional[Callable[[Parser], None]] = None
@@ -38,6 +39,8 @@ class Parser(argparse.ArgumentParser):
         if self.add_options is not None:
             add, self.add_options = self.add_options, None
             add(self)
+            if "--" not in args:  # after it, a name that begins with a hyphen may follow
+                return self.parse_known_intermixed_args(args, namespace)
         return super().parse_known_args(args, namespace)
 
     def error(self, message: str) -> NoReturn:
