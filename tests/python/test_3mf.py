@@ -67,6 +67,112 @@ def test_print_supports_are_left_out(tmp_path):
     assert len(shape.points) == 8 and shape.notes == ("1 support object of the print left out",)
 
 
+def lattice(beams, said='radius="0.1"', head='xmlns:b="http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02"', more=""):
+    """A model whose only object is a lattice at the corners of the cube."""
+    places = "".join('<vertex x="{}" y="{}" z="{}"/>'.format(*vertex) for vertex in VERTICES)
+    one = f'<b:beamlattice {said}><b:beams>{beams}</b:beams>{more}</b:beamlattice>'
+    mesh = f"<mesh><vertices>{places}</vertices><triangles/>{one}</mesh>"
+    objects = f'<resources><object id="1" type="model">{mesh}</object></resources>'
+    return f'<?xml version="1.0"?><model xmlns="{CORE}" {head}>{objects}<build><item objectid="1"/></build></model>'
+
+
+CAPSULE = np.pi * 0.1**2 + 4 / 3 * np.pi * 0.1**3  # the volume of a beam of length 1 and radius 0.1
+CONE = np.pi / 3 * (0.2**2 + 0.2 * 0.1 + 0.1**2) + 2 / 3 * np.pi * (0.2**3 + 0.1**3)  # nearly: the tangent cone is tilted
+
+
+@pytest.mark.parametrize(
+    "model, parts, content",
+    [
+        (lattice('<b:beam v1="0" v2="1"/>'), 1, CAPSULE),
+        (lattice('<b:beam v1="0" v2="1"/><b:beam v1="6" v2="7"/>'), 2, 2 * CAPSULE),
+        (lattice('<b:beam v1="1" v2="0"/>', head=""), 1, CAPSULE),  # the prefix is not declared
+        (lattice('<b:beam v1="0" v2="1"/>', 'radius="0.1" cap="butt"'), 1, np.pi * 0.1**2),
+        (lattice('<b:beam v1="0" v2="1" cap1="butt" cap2="butt"/>'), 1, np.pi * 0.1**2),
+        (lattice('<b:beam v1="0" v2="1" r1="0.2" r2="0.1"/>'), 1, CONE),
+        (lattice('<b:beam v1="0" v2="1" r1="0.1"/>', 'radius="7"'), 1, CAPSULE),
+        (lattice('<b:beam v1="0" v2="1"/><b:beam v1="0" v2="7"/>', 'radius="0.1" minlength="1.5"'), 1, CAPSULE + 0.7321 * np.pi * 0.1**2),
+        (lattice("", 'radius="0.1" ballmode="mixed" ballradius="0.3"', more='<b:balls><b:ball vindex="3"/></b:balls>'), 1,
+         4 / 3 * np.pi * 0.3**3),
+        (lattice('<b:beam v1="0" v2="1"/>', 'radius="0.1" ballmode="all" ballradius="0.3"'), 3, CAPSULE + 8 / 3 * np.pi * 0.3**3),
+    ],
+)  # fmt: skip
+def test_beams_are_capsules(tmp_path, model, parts, content):
+    shape = shapes.read(write(tmp_path, "a.3mf", mf3(model)))
+    facts = shapes.mesh_facts(shape)
+    assert facts.closed and facts.components == parts and not facts.inside_out
+    assert volume(shape) == pytest.approx(content, rel=0.05)
+
+
+def test_beams_touch_their_balls(tmp_path):
+    """No corner is within the hull of the two balls of a beam, or out of it by more than rounding."""
+    shape = shapes.read(write(tmp_path, "a.3mf", mf3(lattice('<b:beam v1="0" v2="1" r1="0.2" r2="0.1"/>'))))
+    along = np.linspace(0, 1, 20001)
+    off = [(np.linalg.norm(point - along[:, None] * [1, 0, 0], axis=1) - 0.2 + 0.1 * along).min() for point in shape.points[8:]]
+    assert np.abs(off).max() < 2e-3
+
+
+def test_many_beams_have_few_sides(tmp_path, monkeypatch):
+    one = '<b:beam v1="0" v2="1"/>'
+    path = write(tmp_path, "a.3mf", mf3(lattice(one * 500)))
+    assert len(shapes.read(path).triangles) < 200_000
+    monkeypatch.setattr("hrbfnpr.shapes._3mf.MOST_CAPSULES", 400)
+    with pytest.raises(shapes.ShapeError, match="has 500 beams; 400 can be drawn"):
+        shapes.read(path)
+
+
+@pytest.mark.parametrize("beam, said, words", [
+    ('<b:beam v1="0" v2="9"/>', 'radius="1"', "names a vertex that it lacks; it has 8"),
+    ('<b:beam v1="0"/>', 'radius="1"', "a beam without v2"),
+    ('<b:beam v1="0" v2="1"/>', "", "a beam without r1"),
+    ('<b:beam v1="0" v2="1" r1="-1"/>', 'radius="1"', "no radius above 0"),
+    ('<b:beam v1="0" v2="1" r2="nan"/>', 'radius="1"', "no radius above 0"),
+])  # fmt: skip
+def test_broken_beams(tmp_path, beam, said, words):
+    with pytest.raises(shapes.ShapeError, match=words):
+        shapes.read(write(tmp_path, "a.3mf", mf3(lattice(beam, said))))
+
+
+def test_a_clipping_mesh_is_not_applied(tmp_path):
+    said = 'radius="0.1" clippingmode="inside" clippingmesh="2"'
+    shape = shapes.read(write(tmp_path, "a.3mf", mf3(lattice('<b:beam v1="0" v2="1"/>', said))))
+    assert shape.notes == ("the beams of object 1 are not clipped by its clipping mesh",)
+
+
+@pytest.mark.parametrize("old, new", [
+    ("<triangles>", "<triangles><m:colors/>"),
+    ("<triangle ", '<triangle m:pid="3" '),
+    ("<vertices>", '<x-y:note a="1">text</x-y:note><vertices>'),
+    ("<resources>", '<t:a xmlns:t="u"/><resources t:b="1">'),
+])  # fmt: skip
+def test_undeclared_prefixes_are_ignored(tmp_path, old, new):
+    shape = shapes.read(write(tmp_path, "a.3mf", mf3(mf3_model().replace(old, new))))
+    np.testing.assert_array_equal(shape.points, CUBE)
+    assert len(shape.triangles) == 12
+
+
+def test_undeclared_paths_keep_their_meaning(tmp_path):
+    build = f'<item objectid="1" p:path="/3D/a.model"/><item objectid="1" {MOVED}/>'
+    shape = shapes.read(write(tmp_path, "a.3mf", mf3(mf3_model(build), more=[("3D/a.model", mf3_model())])))
+    np.testing.assert_array_equal(shape.points, np.concatenate([CUBE, CUBE + (5, 6, 7)]))
+
+
+SLICES = 'xmlns:s="http://schemas.microsoft.com/3dmanufacturing/slice/2015/07"'
+
+
+def test_meshes_that_stand_in_for_slices_are_refused(tmp_path):
+    def sliced(said, model=mf3_model(), head=SLICES):
+        return mf3(model.replace('<object id="1"', f'<object id="1" {said}').replace("<model ", f"<model {head} "))
+
+    assert len(shapes.read(write(tmp_path, "a.3mf", sliced('s:slicestackid="9"'))).triangles) == 12  # the mesh is exact
+    for data in (
+        sliced('s:slicestackid="9" s:meshresolution="lowres"'),
+        sliced('s:slicestackid="9" s:meshresolution="lowres"', head=""),
+        sliced('s:slicestackid="9"', mf3_model().replace("mesh>", "nothing>")),
+    ):
+        with pytest.raises(shapes.ShapeError, match="object '1' of the 3MF file is made of slices"):
+            shapes.read(write(tmp_path, "a.3mf", data))
+
+
 CIRCLE = '<object id="2"><components><component objectid="3"/></components></object>'
 CIRCLE += '<object id="3"><components><component objectid="2"/></components></object>'
 MANY = "".join(

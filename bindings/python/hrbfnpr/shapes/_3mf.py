@@ -1,20 +1,24 @@
 # SPDX-License-Identifier: MIT
-"""Reads 3MF, a format for 3D printers: meshes and their places, as XML in a ZIP archive.
+"""Reads 3MF, a format for 3D printers: meshes and lattices of beams, and their places, as XML in a ZIP archive.
 
-3D Manufacturing Format, core specification 1.3; ``p:path`` refers to other parts of the file (production extension 1.1).
+3D Manufacturing Format, core specification 1.3; ``p:path`` refers to other parts of the file (production extension 1.1);
+beams and balls are those of the beam lattice extension 1.2.
 """
 from __future__ import annotations
 
 import lzma
+import re
 import struct
 import xml.etree.ElementTree as ElementTree
 import zipfile
 import zlib
 from pathlib import Path, PurePosixPath
+from xml.parsers import expat
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 
+from ._capsules import MOST_CAPSULES, capsules
 from ._shape import Floats, Integers, Shape, ShapeError, Vector
 
 UP: Vector = (0.0, 0.0, 1.0)  # the convention of printers
@@ -22,6 +26,9 @@ _RELATIONS = "_rels/.rels"
 _MODEL_TYPE = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
 _CORE = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
 _PATH = "{http://schemas.microsoft.com/3dmanufacturing/production/2015/06}path"
+_EXTENSIONS = {"p": _PATH[1:-5], "b": "http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02",
+               "s": "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07"}  # by their usual prefixes  # fmt: skip
+_UNBOUND = expat.errors.codes[expat.errors.XML_ERROR_UNBOUND_PREFIX]
 _LARGEST_PART = 1 << 31  # largest unpacked size of a part, in bytes
 _MOST_PLACED = 100_000  # largest number of placed objects
 _DEEPEST = 64  # largest depth of components inside components
@@ -70,6 +77,7 @@ class _Reader:
         self._triangles: List[Integers] = []
         self._count = 0
         self._placed = 0
+        self._notes: List[str] = []
 
     def shape(self) -> Shape:
         main = self._main_part()
@@ -81,7 +89,7 @@ class _Reader:
             what = "places nothing" if not items else "places no triangles"
             raise ShapeError(f"the 3MF file {what}: its build has no object with a mesh")
         objects = f"{self._left_out} support object{'' if self._left_out == 1 else 's'}"
-        notes = (f"{objects} of the print left out",) if self._left_out else ()
+        notes = (*((f"{objects} of the print left out",) if self._left_out else ()), *self._notes)
         points, triangles = np.concatenate(self._points), np.concatenate(self._triangles)
         return Shape(points, None, triangles, "3MF", ("x", "y", "z"), UP, notes)
 
@@ -103,7 +111,7 @@ class _Reader:
         if info.file_size > _LARGEST_PART:
             raise ShapeError(f"{part} of the 3MF file is larger than {_LARGEST_PART >> 30} GiB")
         try:
-            return ElementTree.fromstring(self._archive.read(info))
+            return _tree(self._archive.read(info))
         except ElementTree.ParseError as error:
             raise ShapeError(f"{part} of the 3MF file is not XML: {error}") from None
         except (LookupError, ValueError) as error:  # an unknown encoding
@@ -135,14 +143,28 @@ class _Reader:
             return
         for component in one.findall(f"{_CORE}components/{_CORE}component"):
             self._place(_placed(component, placed.part, placed.place), depth + 1)
+        self._check_slices(one, placed)
         mesh = one.find(f"{_CORE}mesh")
         if mesh is not None:
             self._add(placed, mesh)
 
+    def _check_slices(self, one: ElementTree.Element, placed: _Placed) -> None:
+        """Refuse an object that is made of slices.  Its mesh, if there is one, may only stand in for them."""
+        said = {_local(name): value for name, value in one.attrib.items()}
+        if "slicestackid" in said and (said.get("meshresolution") == "lowres" or one.find(f"{_CORE}mesh") is None):
+            raise ShapeError(
+                f"object {placed.number!r} of the 3MF file is made of slices, which are not read, and its mesh only stands in "
+                "for them: export it as a mesh"
+            )
+
     def _add(self, placed: _Placed, mesh: ElementTree.Element) -> None:
         key = (placed.part, placed.number)
         if key not in self._meshes:
-            self._meshes[key] = _mesh(mesh, placed.number)
+            points, faces = _mesh(mesh, placed.number)
+            beams = self._beams(mesh, points, placed.number)
+            self._meshes[key] = points, faces
+            if beams is not None:
+                self._meshes[key] = np.concatenate([points, beams[0]]), np.concatenate([faces, beams[1] + len(points)])
         points, triangles = self._meshes[key]
         if len(triangles) == 0:
             return
@@ -151,6 +173,87 @@ class _Reader:
         self._points.append(points @ placed.place[:3, :3] + placed.place[3, :3])
         self._triangles.append(triangles + self._count)
         self._count += len(points)
+
+
+    def _beams(self, mesh: ElementTree.Element, points: Floats, number: str) -> Optional[Tuple[Floats, Integers]]:
+        """The beams and the balls of a lattice as capsules; None without any."""
+        lattice = next((child for child in mesh if _local(child.tag) == "beamlattice"), None)
+        if lattice is None:
+            return None
+        said = {_local(name): value for name, value in lattice.attrib.items()}
+        ends, radii, flat = [], [], []
+        for beam in _all(lattice, "beam"):
+            ends.append([_value(beam, "v1", number, int), _value(beam, "v2", number, int)])
+            first = _value(beam, "r1", number, float, said.get("radius"))
+            radii.append([first, _value(beam, "r2", number, float, beam.get("r1", said.get("radius")))])
+            flat.append([beam.get(name, said.get("cap", "sphere")) == "butt" for name in ("cap1", "cap2")])
+        for ball in _balls(lattice, said, ends):
+            place = _value(ball, "vindex", number, int)
+            ends.append([place, place])
+            radii.append([_value(ball, "r", number, float, said.get("ballradius", said.get("radius")))] * 2)
+            flat.append([False, False])
+        if len(ends) > MOST_CAPSULES:
+            raise ShapeError(f"the lattice of object {number!r} of the 3MF file has {len(ends)} beams; {MOST_CAPSULES} can be drawn")
+        corners, thick = np.array(ends, dtype=np.int64).reshape(-1, 2), np.array(radii, dtype=np.float64).reshape(-1, 2)
+        if len(corners) and not (0 <= corners.min() and corners.max() < len(points)):
+            raise ShapeError(f"a beam of object {number!r} of the 3MF file names a vertex that it lacks; it has {len(points)}")
+        if len(corners) and not (np.isfinite(thick).all() and thick.min() > 0):
+            raise ShapeError(f"a beam of object {number!r} of the 3MF file has no radius above 0")
+        if said.get("clippingmode", "none") != "none":
+            self._notes.append(f"the beams of object {number} are not clipped by its clipping mesh"[:100])
+        long_enough = np.linalg.norm(points[corners[:, 1]] - points[corners[:, 0]], axis=1) >= _number(said.get("minlength"), 0.0)
+        keep = long_enough | (corners[:, 0] == corners[:, 1])
+        return capsules(points[corners[keep, 0]], points[corners[keep, 1]], thick[keep], np.array(flat).reshape(-1, 2)[keep])
+
+
+def _tree(data: bytes) -> ElementTree.Element:
+    """The XML of a part.  Prefixes that are not declared get their usual meaning, or none."""
+    try:
+        return ElementTree.fromstring(data)
+    except ElementTree.ParseError as error:
+        root = re.search(rb"<[A-Za-z_][\w:.-]*", data)
+        if error.code != _UNBOUND or root is None:
+            raise
+        declared = set(re.findall(rb"xmlns:([\w.-]+)", data[root.end() : data.find(b">", root.end())]))
+        used = set(re.findall(rb"[<\s/]([A-Za-z_][\w.-]*):[A-Za-z_]", data)) - declared - {b"xml", b"xmlns"}
+        names = sorted(name.decode("latin-1") for name in used)
+        more = "".join(f' xmlns:{name}="{_EXTENSIONS.get(name, "undeclared:" + name)}"' for name in names)
+        return ElementTree.fromstring(data[: root.end()] + more.encode() + data[root.end() :])
+
+
+def _local(name: str) -> str:
+    """The name of an element or an attribute without its namespace."""
+    return name.rpartition("}")[2]
+
+
+def _all(element: ElementTree.Element, name: str) -> List[ElementTree.Element]:
+    """The elements of a name in all namespaces."""
+    return [one for one in element.iter() if _local(one.tag) == name]
+
+
+def _balls(lattice: ElementTree.Element, said: Dict[str, str], ends: List[List[int]]) -> List[ElementTree.Element]:
+    """The balls of a lattice: none, those that are listed, or one at each end of a beam."""
+    mode = said.get("ballmode", "none")
+    listed = _all(lattice, "ball") if mode != "none" else []
+    known = {ball.get("vindex") for ball in listed}
+    rest = sorted({end for pair in ends for end in pair}) if mode == "all" else []
+    return listed + [ElementTree.Element("ball", vindex=str(end)) for end in rest if str(end) not in known]
+
+
+def _value(element: ElementTree.Element, name: str, number: str, kind: Any, default: Optional[str] = None) -> Any:
+    """An attribute of a beam or a ball, as a number."""
+    try:
+        return kind(element.get(name, default))
+    except (TypeError, ValueError):
+        what = _local(element.tag)
+        raise ShapeError(f"object {number!r} of the 3MF file has a {what} without {name}, or it is no number") from None
+
+
+def _number(text: Optional[str], default: float) -> float:
+    try:
+        return float(text) if text is not None else default
+    except ValueError:
+        return default
 
 
 def _name(target: str) -> str:
