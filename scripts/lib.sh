@@ -19,6 +19,7 @@ package_set() {
     test) echo libgtest-dev libgmock-dev locales python3-pytest python3-numpy python3-cffi python3-dev python3-yaml binutils librsvg2-bin ;;
     gallery) echo librsvg2-bin ;;
     scenes) echo draco assimp-utils occt-draw ;;
+    vtk) echo python3-vtk9 ;;
     guide) echo python3-sphinx python3-myst-parser furo ;;
     abi) echo tcc abigail-tools ;;
     valid) echo libxml2-utils w3c-sgml-lib qpdf python3-jsonschema ;;

@@ -38,6 +38,7 @@ RUN_BY = {
 SECTIONS = {
     ("docs/python.md", "Many processes"): "tests/python/test_batch.py",
     ("docs/python.md", "Notebooks"): "tests/python/test_notebook.py",
+    ("docs/python.md", "Windows of VTK and PyVista"): "tests/python/test_vtk_scene.py",
 }
 HERE_PYTHON = {
     "docs/csg.md",

@@ -572,7 +572,7 @@ def test_lines_and_volumes_of_vtk(tmp_path):
     writer.SetInputConnection(source.GetOutputPort())
     writer.SetFileName(str(tmp_path / "a.vtk"))
     writer.Write()
-    assert shapes.read(tmp_path / "a.vtk").notes == ("it has 1 lines and no faces: their points are taken",)
+    assert shapes.read(tmp_path / "a.vtk").notes == ("it has 1 lines and no faces: their points are used",)
     volume = b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET STRUCTURED_POINTS\n"
     with pytest.raises(shapes.ShapeError, match="it holds a volume"):
         shapes.read(write(tmp_path, "b.vtk", volume))
@@ -622,7 +622,7 @@ def test_vrml(tmp_path):
         np.testing.assert_allclose(shape.points.max(axis=0), [2, 3, 5], atol=1e-6)
         assert shape.notes == () or name != "box.wrl"
     cut = shapes.read(write(tmp_path, "cut.wrl", VRML % (corners, faces) + "Transform { children [ ] ] }\n"))
-    assert len(cut.triangles) == 12 and "VTK stops near line 4" in cut.notes[0]
+    assert len(cut.triangles) == 12 and "VTK cannot read on from line 4" in cut.notes[0]
     with pytest.raises(shapes.ShapeError, match="VTK finds no points in it: (VTK stops|it is damaged)"):
         shapes.read(write(tmp_path, "bad.wrl", VRML[:90]))
     with pytest.raises(shapes.ShapeError, match="VRML of version 1"):

@@ -92,7 +92,7 @@ _RECORDS = (
 _ON_DEMAND = {
     **dict.fromkeys(_RECORDS, "_records"),
     "Animation": "_animate", "DrawingWarning": "_report", "Note": "_report", "Picture": "_picture", "animate": "_animate",
-    "draw": "_draw_call", "matplotlib_show": "_notebook", "widget": "_notebook", "Viewer": "_notebook",
+    "draw": "_draw_call", "from_pyvista": "_draw_call", "matplotlib_show": "_notebook", "widget": "_notebook", "Viewer": "_notebook",
 }  # fmt: skip
 
 if TYPE_CHECKING:
@@ -102,6 +102,7 @@ if TYPE_CHECKING:
     from ._animate import Animation as Animation
     from ._animate import animate as animate
     from ._draw_call import draw as draw
+    from ._draw_call import from_pyvista as from_pyvista
     from ._notebook import Viewer as Viewer
     from ._notebook import matplotlib_show as matplotlib_show
     from ._notebook import widget as widget

@@ -12,8 +12,9 @@ from ._picture import Picture, draw_of
 from ._report import Progress
 from ._request import in_documentation
 from ._style import Style
+from ._vtk_scene import is_window
 
-__all__ = ["Picture", "draw"]
+__all__ = ["Picture", "draw", "from_pyvista"]
 
 
 def draw(
@@ -34,9 +35,10 @@ def draw(
 
     Parameters
     ----------
-    source : path, arrays, Shape, Mesh, Model, PointSet, or a mesh or point cloud of PyVista, trimesh or Open3D
+    source : path, arrays, Shape, Mesh, Model, PointSet, or an object of VTK, PyVista, trimesh or Open3D
         What to draw.  A path names any file that the command line reads.  Arrays are points of shape (n, 3), whose normals
         are found; (points, normals), if the second array holds floats; or (points, triangles), if it holds integers.
+        Objects of other packages are meshes, grids and point clouds, and whole scenes, see `from_pyvista`.
     style : str or Style
         A named style (`hrbfnpr.PRESETS`), whose marks are sized for the picture, or a `Style`, which is used as it is.
     camera : Camera, optional
@@ -79,6 +81,50 @@ def draw(
     >>> hrbfnpr.draw((points, normals), azimuth=60, lines="contour,suggestive")
     """
     return draw_of(source, style, others, camera, progress, context, fields)
+
+
+def from_pyvista(
+    plotter: Any,
+    style: Union[str, Style] = "contour-and-stipple",
+    *,
+    camera: Optional[Camera] = None,
+    progress: Progress = None,
+    context: Optional[Context] = None,
+    **options: Any,
+) -> Picture:
+    """Draw what a window of PyVista or VTK shows, seen by its camera.  `draw` does the same for such a window.
+
+    Each visible actor is a surface at its place, and all hide each other's lines exactly.  Colours of the actors, or of their
+    values by their colour maps, become inks if they differ.  Arrays of the points are `field` values by their names.
+    Actors that are hidden, volumes, lines, axes and text are left out; notes of the picture say so.
+
+    Parameters
+    ----------
+    plotter : Plotter of PyVista, vtkRenderWindow or vtkRenderer
+        The window.  It needs not be shown before.  Of several renderers with actors the active one is drawn, or the first one.
+    style, camera, progress, context
+        As in `draw`.
+    **options
+        Those of `draw`.  The default size is that of the window.  An option that places the camera, such as `azimuth` or
+        `eye`, replaces the camera of the window.
+
+    Raises
+    ------
+    TypeError
+        If it is not a window.
+    ValueError
+        If it shows nothing that can be drawn.
+
+    Examples
+    --------
+    >>> hrbfnpr.from_pyvista(plotter, "engraving").save("scene.svg")
+    """
+    if not is_window(plotter):
+        raise TypeError(
+            "from_pyvista draws a Plotter of PyVista, a vtkRenderWindow or a vtkRenderer, not "
+            f"{type(plotter).__name__}; hrbfnpr.draw takes meshes and actors"
+        )
+    return draw_of(plotter, style, options, camera, progress, context)
 
 
 def _signature() -> inspect.Signature:

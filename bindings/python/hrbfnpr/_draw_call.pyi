@@ -70,3 +70,13 @@ def draw(
     pen_down: Optional[str] = ...,
     **others: Any,
 ) -> Picture: ...
+
+def from_pyvista(
+    plotter: Any,
+    style: Union[str, Style] = ...,
+    *,
+    camera: Optional[Camera] = ...,
+    progress: Progress = ...,
+    context: Optional[Context] = ...,
+    **options: Any,
+) -> Picture: ...

@@ -34,8 +34,8 @@ def shape_of(thing: Any) -> Shape:
     if isinstance(thing, (tuple, list, np.ndarray)):
         return _of_arrays(thing)
     raise TypeError(
-        "draw a path, arrays as (points, normals) or (points, triangles), a Shape, Mesh, Model or PointSet, or a mesh or "
-        f"cloud of PyVista, trimesh or Open3D, not {type(thing).__name__}"
+        "draw a path, arrays as (points, normals) or (points, triangles), a Shape, Mesh, Model or PointSet, or a mesh, "
+        f"cloud or scene of VTK, PyVista, trimesh or Open3D, not {type(thing).__name__}"
     )
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Sources of drawings: files, arrays, meshes of other packages, saved models and marks, and scripts of solids."""
+"""Sources of drawings: files, arrays, meshes and scenes of other packages, saved models and marks, and scripts of solids."""
 from __future__ import annotations
 
 import os
@@ -19,6 +19,7 @@ from ._request import Options
 from ._scene import Scene
 from ._script import run
 from ._values import words_of
+from ._vtk_scene import camera_in, options_in, scene_in
 
 _MAGIC = b"\x89HRB\r\n\x1a\n"
 _OF_SOLIDS = ("SURFACE_ONLY", "IS_SOLID", "CLOSE")
@@ -113,17 +114,24 @@ def scene_of(
 ) -> Scene:  # fmt: skip
     """The scene of a source.  `fields` are more values of its points; `more` are arguments of `Scene.create`."""
     context = Context() if context is None else context
+    name, file = name_of(source), None
     if isinstance(source, (str, os.PathLike)):
         path = Path(source)
-        content, name, file = read(path, options, context, report, is_script), path.name, os.fspath(source)
+        contents, name, file = [read(path, options, context, report, is_script)], path.name, os.fspath(source)
+    elif isinstance(source, (Model, PointSet)):
+        contents = [source]
     else:
-        content, name, file = source, name_of(source), None
-        if "classes" in options:
-            raise ValueError("classes are of the points of a LAS or LAZ file, and the source is no file")
-        if not isinstance(source, (Model, PointSet)):
-            content = shape_of(source)
-            for note in content.notes:
-                report.note(note)
+        scene = scene_in(source)
+        contents = [shape_of(source)] if scene is None else list(scene.shapes)
+        for note in scene.notes if scene is not None else contents[0].notes:
+            report.note(note)
+        if scene is not None:
+            options = options_in(scene, options, style)
+            camera = camera_in(scene, options) if camera is None else camera
+    if "classes" in options and file is None:
+        raise ValueError("classes are of the points of a LAS or LAZ file, and the source is no file")
     if fields:
-        content, more["with_fields"] = _with_fields(content, fields, options), True
-    return Scene.create([content], options, style, context, report, camera=camera, name=name, path=file, **more)
+        if len(contents) > 1:
+            raise ValueError(f"fields are values of the points of one surface, and {name} has {len(contents)}")
+        contents, more["with_fields"] = [_with_fields(contents[0], fields, options)], True
+    return Scene.create(contents, options, style, context, report, camera=camera, name=name, path=file, **more)

@@ -13,9 +13,11 @@ from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
+from ._attributes import values_of
 from ._optional import is_here, needed, run
 from ._polygons import fans, fans_of_block
 from ._shape import Floats, Integers, Shape, ShapeError
+from ._vtk_reader import FIELD
 
 # The faces of cells, as seen from outside, and the cells with an additional node in the middle of each edge, which is ignored.
 _FACES = {
@@ -106,14 +108,24 @@ def _by_vtk(reader: str, path: Path, form: str) -> Shape:
 
 
 def _shape_of(found: Any, form: str) -> Shape:
-    points, triangles, normals = found["points"], found["triangles"], found["normals"]
-    if len(triangles):
-        return Shape(points, None, triangles, form, ("x", "y", "z"), notes=(_VOLUME,) if found["volume"] else ())
+    if len(found["triangles"]):
+        return shape_of_arrays(found, form, (_VOLUME,) if found["volume"] else ())
     count = int(found["lines"])
-    notes = (f"it has {count} lines and no faces: their points are used",) if count else ()
-    given: Optional[Floats] = normals if len(normals) == len(points) else None
+    return shape_of_arrays(found, form, (f"it has {count} lines and no faces: their points are used",) if count else ())
+
+
+def shape_of_arrays(found: Any, form: str, notes: Tuple[str, ...] = ()) -> Shape:
+    """The shape of the arrays that `_vtk_reader.arrays_of` makes.  Three floats for each point are a direction."""
+    points, triangles, normals = found["points"], found["triangles"], found["normals"]
+    given: Optional[Floats] = normals if len(normals) == len(points) and not len(triangles) else None
     columns = ("x", "y", "z") if given is None else ("x", "y", "z", "nx", "ny", "nz")
-    return Shape(points, given, None, form, columns, notes=notes)
+    fields = {}
+    for name in (name for name in found if name.startswith(FIELD)):
+        bare, array = name[len(FIELD) :], found[name]
+        if len(array) == len(points) and array.dtype.kind in "fiub":
+            is_direction = array.shape[1:] == (3,) and array.dtype.kind == "f"
+            fields[bare] = values_of(bare, array, len(points), is_direction)
+    return Shape(points, given, triangles if len(triangles) else None, form, columns, notes=notes, fields=fields)
 
 
 def read_meshio(path: Path, form: str = "") -> Shape:
