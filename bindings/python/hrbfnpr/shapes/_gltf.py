@@ -21,6 +21,8 @@ _TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126:
 _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 _DRACO = "KHR_draco_mesh_compression"
 _PACKED = ("EXT_meshopt_compression", "KHR_meshopt_compression")
+_EDGES = "EXT_mesh_primitive_edge_visibility"
+_HARD = 2  # the least visibility of edges that are always drawn; below: never, or only as a part of the outline
 _POINTS, _TRIANGLES, _STRIP, _FAN = 0, 4, 5, 6
 _MOST = 1 << 28  # largest number of elements in a list
 _DEEPEST = 200  # largest depth of nodes inside nodes
@@ -89,6 +91,8 @@ class _Reader:
         self._normals: List[Optional[Floats]] = []
         self._colours: List[Tuple[int, Optional[PointValues]]] = []  # a count and colours for each part
         self._triangles: List[Integers] = []
+        self._edges: List[Optional[Integers]] = []  # for each part: its hard edges, if it says which are
+        self._notes: List[str] = []
         self._count = 0
         self._world: Dict[int, Floats] = {}
 
@@ -112,15 +116,17 @@ class _Reader:
         sharp = None if triangles is None else self._sharp_edges(points, triangles)
         colour = joined(self._colours)
         fields = {} if colour is None else {COLOUR: colour}
-        return Shape(points, normals, triangles, self._form, columns, UP, sharp_edges=sharp, fields=fields)
+        return Shape(points, normals, triangles, self._form, columns, UP, tuple(self._notes), sharp_edges=sharp, fields=fields)
 
     def _sharp_edges(self, points: Floats, triangles: Integers) -> Optional[Integers]:
-        """The sharp edges of the parts that have normals."""
-        if all(part is None for part in self._normals):
-            return None
-        normals = [np.full_like(place, np.nan) if part is None or part.shape != place.shape else part
-                   for place, part in zip(self._points, self._normals)]  # fmt: skip
-        return of_vertices(points, triangles, np.concatenate(normals))
+        """The hard edges of the parts that say which are hard, and the sharp ones of other parts that have normals."""
+        said = [part for part in self._edges if part is not None]
+        normals = [np.full_like(place, np.nan) if part is None or part.shape != place.shape or edges is not None else part
+                   for place, part, edges in zip(self._points, self._normals, self._edges)]  # fmt: skip
+        has_normals = any(part is not None and edges is None for part, edges in zip(self._normals, self._edges))
+        by_normals = of_vertices(points, triangles, np.concatenate(normals)) if has_normals else None
+        found = said + ([] if by_normals is None else [by_normals])
+        return np.concatenate(found) if found else None
 
     def _roots(self, nodes: List[Any]) -> List[int]:
         scenes = self._document.get("scenes", [])
@@ -162,7 +168,7 @@ class _Reader:
             else:
                 points = points @ matrix[:3, :3].T + matrix[:3, 3]
                 linear = matrix[:3, :3]
-            normals = None
+            normals, edges = None, None
             if "NORMAL" in part["attributes"] and draco is None:
                 normals = self._normals_of(part, linear, mode)
             if mode != _POINTS:
@@ -170,11 +176,13 @@ class _Reader:
                 if triangles is None:
                     triangles = np.zeros((0, 3), np.int64)
                 self._check(triangles, len(points))
+                edges = self._hard_edges(part, triangles, len(points)) if draco is None else None
                 if np.linalg.det(linear) < 0:
                     triangles = triangles[:, ::-1]
                 self._triangles.append(triangles + self._count)
             self._points.append(points)
             self._normals.append(normals)
+            self._edges.append(None if edges is None else edges + self._count)
             self._colours.append((len(points), self._colours_of(part, draco, len(points))))
             self._count += len(points)
 
@@ -188,6 +196,35 @@ class _Reader:
             return self._accessor(number)
         except (LookupError, TypeError, ValueError):
             return None
+
+    def _hard_edges(self, part: Dict[str, Any], triangles: Integers, count: int) -> Optional[Integers]:
+        """The edges that are always drawn, if a part says which: those of a field of bits, and those of line strings."""
+        said = part.get("extensions", {}).get(_EDGES)
+        if said is None:
+            return None
+        hard: List[Integers] = []
+        if "visibility" in said:
+            coded = self._accessor(said["visibility"])[:, 0].astype(np.uint8)
+            if 4 * len(coded) < 3 * len(triangles):
+                raise ShapeError(
+                    f"the edges of a part of the glTF file are cut short: {len(coded)} bytes for {len(triangles)} triangles"
+                )
+            visible = (coded[:, None] >> np.array([0, 2, 4, 6]) & 3).reshape(-1)[: 3 * len(triangles)]
+            sides = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
+            hard.append(sides[visible >= _HARD])
+        strings = said.get("lineStrings", [])
+        for one in strings:
+            restart = np.iinfo(_TYPES[self._document["accessors"][one["indices"]]["componentType"]]).max
+            along = self._accessor(one["indices"])[:, 0].astype(np.int64)
+            pairs = np.column_stack([along[:-1], along[1:]])
+            hard.append(pairs[(pairs != restart).all(axis=1)])
+        edges: Integers = np.concatenate(hard) if hard else np.empty((0, 2), np.int64)
+        if len(edges) and not 0 <= int(edges.min()) <= int(edges.max()) < count:
+            raise ShapeError(f"an edge names vertex {edges.max()}, but its part has only {count} vertices")
+        note = "edges have materials of their own, which are not used"
+        if any("material" in one for one in (said, *strings)) and note not in self._notes:
+            self._notes.append(note)
+        return edges
 
     def _colours_of(self, part: Dict[str, Any], draco: Optional[Shape], count: int) -> Optional[PointValues]:
         """The colours of the vertices times that of the material, as sRGB; None if the part has neither."""
@@ -317,10 +354,11 @@ def _matrix(node: Dict[str, Any]) -> Floats:
 
 
 def _triangles(indices: Integers, mode: int) -> Integers:
+    """The triangles, each from the corner that the format names first."""
     if mode == _TRIANGLES:
         return indices[: len(indices) // 3 * 3].reshape(-1, 3)
     i = np.arange(max(len(indices) - 2, 0))
     if mode == _FAN:
-        return np.column_stack([np.full(len(i), indices[0]), indices[i + 1], indices[i + 2]])
+        return np.column_stack([indices[i + 1], indices[i + 2], np.full(len(i), indices[0])])
     odd = i % 2
-    return np.column_stack([indices[i + odd], indices[i + 1 - odd], indices[i + 2]])
+    return np.column_stack([indices[i], indices[i + 1 + odd], indices[i + 2 - odd]])
