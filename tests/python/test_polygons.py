@@ -6,7 +6,7 @@ from test_shapes import write
 
 import hrbfnpr
 from hrbfnpr import shapes
-from hrbfnpr.shapes._polygons import MOST_CORNERS, fans, fans_of_block
+from hrbfnpr.shapes._polygons import MOST_CORNERS, fans, fans_of_block, fans_of_row
 
 
 def letter_c(turn=np.eye(3)):
@@ -57,6 +57,97 @@ def test_a_concave_quad():
         corners = np.roll(np.arange(4), shift)
         area = areas(arrow, fans_of_block([corners], arrow)[0])
         assert (area[:, 2] > 0).all()
+
+
+def bent_quads():
+    """A ring of quads with a rim that goes up and down, many of which are bent, and some of which are also concave."""
+    around = 16
+    angle, k = 2 * np.pi * np.arange(around) / around, np.arange(around)
+    rings = [(1.0, 0 * k), (0.75, 0.05 + 0.3 * (k % 2)), (0.5, 0.1 + 0 * k), (0.5, -0.4 + 0 * k), (1.0, -0.4 + 0 * k)]
+    points = np.array([(r * np.cos(angle[i]), r * np.sin(angle[i]), z[i]) for i in k for r, z in rings])
+    quads = [[5 * i + j, (5 * i + 5 + j) % 80, (5 * i + 5 + (j + 1) % 5) % 80, 5 * i + (j + 1) % 5] for i in k for j in range(5)]
+    return points, np.array(quads)
+
+
+def test_bent_quads_are_cut_for_the_least_area():
+    points, quads = bent_quads()
+    ways = [np.linalg.norm(areas(points, quads[:, cut]), axis=-1).sum(axis=1) for cut in ([[0, 1, 2], [0, 2, 3]], [[1, 2, 3], [1, 3, 0]])]
+    least = np.minimum(*ways)
+    assert (np.abs(ways[0] - ways[1]) > 0.01 * least).sum() >= 16
+    for turn in range(4):
+        for order in (quads, quads[:, ::-1]):
+            found = fans_of_block(np.roll(order, turn, axis=1), points)
+            assert np.allclose(np.linalg.norm(areas(points, found), axis=-1).sum(axis=1), least, rtol=2e-6)
+
+
+@pytest.mark.parametrize("lift", [0.0, 0.5, 3.0])
+def test_the_diagonal_of_a_bent_concave_quad_is_inside(lift):
+    arrow = np.array([(0, 0, lift), (2, -1, 0), (0, 2, lift), (-2, -1, 0)], dtype=float) @ rotation().T
+    for shift in range(4):
+        found = fans_of_block([np.roll(np.arange(4), shift)], arrow)[0]
+        assert all({0, 2} <= set(triangle) for triangle in found.tolist())
+
+
+def test_a_corner_on_a_side_makes_no_sliver():
+    points = np.array([(0, 0, 0), (1, 0, 0), (2, 0, 0), (1, 1, 0)], dtype=float)
+    for shift in range(4):
+        area = areas(points, fans_of_block([np.roll(np.arange(4), shift)], points)[0])[:, 2]
+        assert np.allclose(area, 0.5)
+
+
+def test_ears_are_found_in_the_best_plane():
+    # The four tips of a star are bent up and down.  Seen along any axis the star crosses itself, but not along its normal.
+    flat = star(4)
+    bent = flat + np.outer(np.array([1, 0, -1, 0, 1, 0, -1, 0]), (0, 0, 1.2))
+    normal, across = np.array([1, 1, 1]) / np.sqrt(3), np.array([1, -1, 0]) / np.sqrt(2)
+    tilted = bent @ np.array([across, np.cross(normal, across), normal])
+    for shift in range(8):
+        found = fans_of_block([np.roll(np.arange(8), shift)], tilted)[0]
+        assert (areas(flat, found)[:, 2] > 0).all()
+
+
+def test_polygons_in_a_row():
+    square = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], dtype=float)
+    assert fans_of_row([4, 0, 1, 2, 3, 3, 0, 1, 2], square).tolist() == [[0, 1, 2], [0, 2, 3], [0, 1, 2]]
+    assert fans_of_row([4, 0, 1, 2, 3], square).tolist() == [[0, 1, 2], [0, 2, 3]]
+    assert fans_of_row([2, 0, 1, 2, 0, 1], square).shape == fans_of_row([], square).shape == (0, 3)
+    for wrong in ([4, 0, 1], [-1, 0], [3, 0, 1, 2, 5]):
+        with pytest.raises(shapes.ShapeError, match="a count and then its corners"):
+            fans_of_row(wrong, square)
+
+
+@pytest.mark.parametrize("name", ["a.obj", "a.off", "a.ply", "a.vtk", "a.vtp", "a.vtu"])
+def test_readers_cut_bent_quads_alike(tmp_path, name):
+    points, quads = bent_quads()
+    lines = [f"{x:.17g} {y:.17g} {z:.17g}" for x, y, z in points]
+    rows = ["4 " + " ".join(map(str, quad)) for quad in quads]
+    if name.startswith("a.vt"):
+        vtk = pytest.importorskip("vtk")
+        from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+
+        place, cells = vtk.vtkPoints(), vtk.vtkCellArray()
+        place.SetData(numpy_to_vtk(points))
+        cells.SetCells(80, numpy_to_vtkIdTypeArray(np.insert(quads, 0, 4, axis=1).ravel().astype(np.int64), deep=True))
+        data = vtk.vtkUnstructuredGrid() if name == "a.vtu" else vtk.vtkPolyData()
+        data.SetPoints(place)
+        data.SetCells(vtk.VTK_QUAD, cells) if name == "a.vtu" else data.SetPolys(cells)
+        kinds = {"a.vtk": vtk.vtkPolyDataWriter, "a.vtp": vtk.vtkXMLPolyDataWriter, "a.vtu": vtk.vtkXMLUnstructuredGridWriter}
+        writer = kinds[name]()
+        writer.SetInputData(data)
+        writer.SetFileName(str(tmp_path / name))
+        writer.Write()
+    elif name == "a.obj":
+        faces = ["f " + " ".join(str(i + 1) for i in quad) for quad in quads]
+        write(tmp_path, name, "\n".join([*(f"v {line}" for line in lines), *faces]))
+    elif name == "a.off":
+        write(tmp_path, name, "\n".join(["OFF", "80 80 0", *lines, *rows]))
+    else:
+        head = ["ply", "format ascii 1.0", "element vertex 80", *(f"property double {axis}" for axis in "xyz"), "element face 80"]
+        write(tmp_path, name, "\n".join([*head, "property list uchar int vertex_indices", "end_header", *lines, *rows, ""]))
+    shape = shapes.read(tmp_path / name)
+    right = np.linalg.norm(areas(points, fans_of_block(quads, points).reshape(-1, 3)), axis=1).sum()
+    assert np.isclose(np.linalg.norm(areas(shape.points, shape.triangles), axis=1).sum(), right, rtol=1e-6)
+    assert len(shape.triangles) == 160
 
 
 def test_a_hole_joined_by_a_slit():

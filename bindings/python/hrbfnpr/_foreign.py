@@ -14,7 +14,7 @@ from typing import Any, Optional
 import numpy as np
 
 from .shapes import Shape, ShapeError
-from .shapes._polygons import fans
+from .shapes._polygons import fans_of_row
 from .shapes._shape import Floats, Integers
 
 
@@ -110,17 +110,7 @@ def _unpacked(row: Any, points: Floats) -> Optional[Integers]:
     """Triangles from a row in which each polygon is its number of corners and then the corners."""
     if len(row) == 0:
         return None
-    if len(row) % 4 == 0 and (row[::4] == 3).all():
-        triangles: Integers = row.reshape(-1, 4)[:, 1:].astype(np.int64)
-        return triangles
-    polygons, at = [], 0
-    while at < len(row):
-        count = int(row[at])
-        if count < 0 or at + 1 + count > len(row):
-            raise ShapeError(f"faces must be lists of a count and then its corners, not {count} at {at}")
-        polygons.append([int(v) for v in row[at + 1 : at + 1 + count]])
-        at += 1 + count
-    found = fans(polygons, points)
+    found = fans_of_row(row, points)
     return found if len(found) else None
 
 

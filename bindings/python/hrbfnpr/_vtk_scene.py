@@ -21,7 +21,7 @@ from ._style import Style
 from .shapes import Shape, ShapeError
 from .shapes._attributes import COLOUR, PointValues
 from .shapes._shape import Floats, Vector
-from .shapes._vtk import shape_of_arrays
+from .shapes._vtk import has_faces, shape_of_arrays
 from .shapes._vtk_reader import arrays_of, polygons_of
 
 _CLASSES = {
@@ -288,7 +288,7 @@ def _add_all(scene: VtkScene, surfaces: Iterator[_Surface]) -> None:
         arrays = arrays_of(vtk, vtk.to_numpy, one.polygons)
         if not len(arrays["points"]):
             scene.counts["empty"] += 1
-        elif arrays["lines"] and not len(arrays["triangles"]):
+        elif arrays["lines"] and not has_faces(arrays):
             scene.counts["lines"] += 1
         else:
             scene.shapes.append(_placed(shape_of_arrays(arrays, "VTK"), one))

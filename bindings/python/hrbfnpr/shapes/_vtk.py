@@ -15,9 +15,9 @@ import numpy as np
 
 from ._attributes import values_of
 from ._optional import is_here, needed, run
-from ._polygons import fans, fans_of_block
+from ._polygons import fans, fans_of_block, fans_of_row
 from ._shape import Floats, Integers, Shape, ShapeError
-from ._vtk_reader import FIELD
+from ._vtk_reader import FIELD, OF_FACES
 
 # The faces of cells, as seen from outside, and the cells with an additional node in the middle of each edge, which is ignored.
 _FACES = {
@@ -108,23 +108,42 @@ def _by_vtk(reader: str, path: Path, form: str) -> Shape:
 
 
 def _shape_of(found: Any, form: str) -> Shape:
-    if len(found["triangles"]):
+    if has_faces(found):
         return shape_of_arrays(found, form, (_VOLUME,) if found["volume"] else ())
     count = int(found["lines"])
     return shape_of_arrays(found, form, (f"it has {count} lines and no faces: their points are used",) if count else ())
 
 
+def has_faces(found: Any) -> bool:
+    """Whether arrays that `_vtk_reader.arrays_of` made have faces."""
+    return bool((np.asarray(found["corners"]) > 2).any())
+
+
 def shape_of_arrays(found: Any, form: str, notes: Tuple[str, ...] = ()) -> Shape:
-    """The shape of the arrays that `_vtk_reader.arrays_of` makes.  Three floats for each point are a direction."""
-    points, triangles, normals = found["points"], found["triangles"], found["normals"]
+    """The shape of the arrays that `_vtk_reader.arrays_of` makes.  Three floats for each point are a direction.
+
+    If faces have values, each triangle gets points of its own.
+    """
+    points, normals = found["points"], found["normals"]
+    triangles = np.concatenate([fans_of_row(found[name], points) for name in ("polygons", "strips")])
     given: Optional[Floats] = normals if len(normals) == len(points) and not len(triangles) else None
     columns = ("x", "y", "z") if given is None else ("x", "y", "z", "nx", "ny", "nz")
+    values = {name[len(FIELD) :]: found[name] for name in found if name.startswith(FIELD)}
+    values = {name: array for name, array in values.items() if len(array) == len(points)}
+    corners = np.asarray(found["corners"], dtype=np.int64)
+    of_faces = {name[len(OF_FACES) :]: found[name] for name in found if name.startswith(OF_FACES)}
+    of_faces = {name: array for name, array in of_faces.items() if len(array) == len(corners)}
+    if of_faces and len(triangles):
+        at = triangles.reshape(-1)
+        points, triangles = points[at], np.arange(len(at)).reshape(-1, 3)
+        values = {name: array[at] for name, array in values.items()}
+        copies = 3 * np.maximum(corners - 2, 0)
+        values.update({name: np.repeat(array, copies, axis=0) for name, array in of_faces.items()})
     fields = {}
-    for name in (name for name in found if name.startswith(FIELD)):
-        bare, array = name[len(FIELD) :], found[name]
-        if len(array) == len(points) and array.dtype.kind in "fiub":
+    for name, array in values.items():
+        if array.dtype.kind in "fiub":
             is_direction = array.shape[1:] == (3,) and array.dtype.kind == "f"
-            fields[bare] = values_of(bare, array, len(points), is_direction)
+            fields[name] = values_of(name, array, len(points), is_direction)
     return Shape(points, given, triangles if len(triangles) else None, form, columns, notes=notes, fields=fields)
 
 

@@ -10,6 +10,7 @@ from typing import Any, Dict
 
 import numpy as np
 
+OF_FACES = "face:"  # the names of arrays with values of faces begin with this
 FIELD = "field:"  # the beginning of the names of arrays with values of the points
 
 
@@ -64,39 +65,43 @@ def values_of(to_numpy: Any, attributes: Any) -> Dict[str, Any]:
 
 
 def arrays_of(vtk: Any, to_numpy: Any, polygons: Any) -> Dict[str, Any]:
-    """The points, triangles and normals of polygons, the number of lines, and the values of the points by name.
+    """The points, faces and normals of polygons, the number of lines, and the values of points and faces by name.
 
-    Triangles and normals are empty if there are none.  If cells have values, each triangle gets points of its own.
+    `polygons` and `strips` are rows of integers: for each face or triangle its number of corners, and then the corners.  The
+    values of faces are those of all polygons and then of all strips.  Arrays are empty if there is nothing in them.
     """
     normals = polygons.GetPointData().GetNormals()
     points = polygons.GetPoints()
+    strips = vtk.vtkPolyData()  # only strips are cut here
+    strips.SetPoints(points)
+    strips.SetStrips(polygons.GetStrips())
+    triangles = vtk.vtkTriangleFilter()
+    triangles.SetInputData(strips)
+    triangles.Update()
     arrays = {
         "points": np.empty((0, 3)) if points is None else to_numpy(points.GetData()).astype(np.float64),
-        "triangles": np.empty((0, 3), np.int64),
         "normals": np.empty((0, 3)) if normals is None else to_numpy(normals).astype(np.float64),
         "lines": polygons.GetNumberOfLines(),
     }
-    if polygons.GetNumberOfPolys() or polygons.GetNumberOfStrips():
-        cut = vtk.vtkTriangleFilter()
-        cut.SetInputData(polygons)
-        cut.PassVertsOff()
-        cut.PassLinesOff()
-        cut.Update()
-        polygons = cut.GetOutput()
-        faces = polygons.GetPolys()
-        if faces.GetNumberOfCells():
-            arrays["triangles"] = to_numpy(faces.GetData()).reshape(-1, 4)[:, 1:].astype(np.int64)
-    corners, values = arrays["triangles"], values_of(to_numpy, polygons.GetPointData())
-    of_cells = values_of(to_numpy, polygons.GetCellData()) if len(corners) else {}
-    of_cells = {name: array for name, array in of_cells.items() if len(array) == len(corners) and name not in values}
-    if of_cells:
-        at = corners.reshape(-1)
-        arrays["points"], arrays["triangles"] = arrays["points"][at], np.arange(len(at)).reshape(-1, 3)
-        arrays["normals"] = np.empty((0, 3))
-        values = {name: array[at] for name, array in values.items()}
-        values.update({name: np.repeat(array, 3, axis=0) for name, array in of_cells.items()})
-    arrays.update({FIELD + name: array for name, array in values.items()})
+    for name, faces in (("polygons", polygons.GetPolys()), ("strips", triangles.GetOutput().GetPolys())):
+        has_some = faces is not None and faces.GetNumberOfCells() > 0
+        arrays[name] = to_numpy(faces.GetData()).astype(np.int64) if has_some else np.empty(0, np.int64)
+    of_points = values_of(to_numpy, polygons.GetPointData())
+    before = polygons.GetNumberOfVerts() + polygons.GetNumberOfLines()
+    of_faces = {name: array[before:] for name, array in values_of(to_numpy, polygons.GetCellData()).items()}
+    arrays["corners"] = corners_of(to_numpy, polygons.GetPolys()) + corners_of(to_numpy, polygons.GetStrips())
+    arrays.update({FIELD + name: array for name, array in of_points.items()})
+    arrays.update({OF_FACES + name: array for name, array in of_faces.items() if len(array) and name not in of_points})
     return arrays
+
+
+def corners_of(to_numpy: Any, cells: Any) -> Any:
+    """The number of corners of each cell."""
+    row, counts, at = [] if cells is None else to_numpy(cells.GetData()).tolist(), [], 0
+    while at < len(row):
+        counts.append(int(row[at]))
+        at += counts[-1] + 1
+    return counts
 
 
 def read(kind: str, path: str, result: str) -> None:
