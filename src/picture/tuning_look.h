@@ -17,11 +17,18 @@ struct UpTuning {
     // Along its axis, at least this share of a terrain's samples faces the same side. Larger: fewer overhangs are
     // allowed.
     double terrain_one_side = 0.99;
-    // A normal whose z component is smaller than this in magnitude is ignored. Larger: more shapes count as seen from
-    // all sides.
+    // On a wall that is seen from one side, a normal whose z component is smaller than this in magnitude is level.
+    // Larger: noisier normals are those of walls. Set on normals with a noise of 5 degrees.
+    double wall_level = 0.2;
+    // More than this share of the normals of such a wall is level; the others are those of sills and lintels. Larger:
+    // fewer shapes are walls.
+    double wall_share = 0.9;
+    // A normal whose z component is smaller than this in magnitude is level, and says nothing of the side from which it
+    // was seen. Larger: more shapes count as walls, and as seen from all sides.
     double side_told = 0.05;
     // A shape may be seen from one side only if more than this share of its normals has a z component of at least
-    // `side_told`. Larger: fewer shapes count as seen from one side.
+    // `side_told`. A shape of which more than this share is level is a wall. Larger: fewer shapes count as seen from
+    // one side, and as walls.
     double view_share = 0.98;
     // In a view from one side, the mean sign of the normals' z components is larger than this in magnitude. Larger:
     // fewer shapes count as seen from one side.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Finds the up direction. It tests clues one after the other, the most reliable first: the file's format, coordinates
-// of a map, a terrain, a flat base, left and right sides that are alike, a hole below, the ground at z = 0, and how the
-// object would stand or fall. The result is y if no clue points to z.
+// of a map, a wall, a terrain, a flat base, left and right sides that are alike, a hole below, the ground at z = 0, and
+// how the object would stand or fall. The result is y if no clue points to z.
 #include "picture/up.h"
 
 #include "base/assert.h"
@@ -84,6 +84,19 @@ bool is_terrain(const glm::dvec3& extent, const Points& normals, UpAxis axis) {
     return share_of_samples(normals, [&](const glm::dvec3& n) { return n[axis] * side > 0.0; }) >
                up_tuning.terrain_one_side &&
            mean * side > up_tuning.terrain_upward;
+}
+
+// Returns whether the shape is an upright wall. Its normals are level, or nearly level and on one side. Normals that
+// are only nearly level may also be those of gentle ground, if they point along y.
+bool is_wall(const Points& normals) {
+    if (normals.empty()) return false;
+    const auto level_share = [&](double limit) {
+        return share_of_samples(normals, [limit](const glm::dvec3& n) { return std::abs(n.z) < limit; });
+    };
+    if (level_share(up_tuning.side_told) > up_tuning.view_share) return true;
+    const double along_y = mean_along_axis(normals, y_axis);
+    return std::hypot(mean_along_axis(normals, 0), along_y) > up_tuning.terrain_upward &&
+           along_y < up_tuning.terrain_upward && level_share(up_tuning.wall_level) > up_tuning.wall_share;
 }
 
 // Returns whether nearly all samples face the same side along z. Such a shape was seen from one side only, and has no
@@ -365,6 +378,7 @@ const char* reason_for_z(const Shape* shape, const Points& points, const Points&
     const glm::dvec3 extent = box.size();
     if (extent.x <= 0.0 || extent.y <= 0.0 || extent.z <= 0.0) return nullptr;
     if (is_on_a_map(box)) return "x and y are map coordinates";
+    if (is_wall(normals)) return "the surface is an upright wall";
     if (is_terrain(extent, normals, z_axis) && !is_terrain(extent, normals, y_axis)) return "the surface is a terrain";
     if (is_seen_from_one_side(normals)) return nullptr;
     const FlatEnds ends = flat_ends(points, normals, box);
@@ -437,7 +451,7 @@ String name_of_direction(const glm::dvec3& direction, Pool& pool) {
 char hangs_along(const Points& points, const Points& normals) noexcept {
     if (points.empty() || points.size() != normals.size()) return 0;
     const glm::dvec3 extent = box_of_samples(points).size();
-    if (!(extent.x > 0.0 && extent.y > 0.0 && extent.z > 0.0)) return 0;
+    if (!(extent.x > 0.0 && extent.y > 0.0 && extent.z > 0.0) || is_wall(normals)) return 0;
     for (const UpAxis axis : {z_axis, y_axis})
         if (is_terrain(extent, normals, axis) && mean_along_axis(normals, axis) < 0.0) return "xyz"[axis];
     return 0;

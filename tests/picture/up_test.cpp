@@ -114,6 +114,28 @@ TEST_F(UpTest, TerrainsThatLookDownAreDetected) {
     EXPECT_EQ(hangs_along(points, normals), 'y');
 }
 
+TEST_F(UpTest, WallsTellUp) {
+    for (const double noise : {0.0, 0.1}) {
+        for (const double turn : {0.0, 0.6, 1.5707963267948966, 4.71238898038469, 3.141592653589793}) {
+            if (noise > 0.0 && turn > 3.0 && turn < 4.0) continue; // Such a wall might be ground with y up.
+            points.clear();
+            normals.clear();
+            const glm::dvec3 along(std::cos(turn), std::sin(turn), 0.0);
+            const glm::dvec3 out(along.y, -along.x, 0.0);
+            for (int i = 0; i < 500; ++i) { // A wall of 12 x 8 whose piers stand out by a little, with a few sills.
+                const double right = 12.0 * even(i, 0.7548776662);
+                const double depth = std::fmod(right, 3.0) < 1.0 ? 0.05 : 0.0;
+                const glm::dvec3 place = right * along + depth * out + glm::dvec3(0, 0, 8.0 * even(i, 0.5698402910));
+                const glm::dvec3 off =
+                    noise * (even(i, 0.618) - 0.5) * along + glm::dvec3(0, 0, noise * 2.0 * (even(i, 0.3247) - 0.5));
+                add(place, noise > 0.0 && i % 20 == 0 ? glm::dvec3(0, 0, 1) : glm::normalize(out + off));
+            }
+            expect_up('z', "the surface is an upright wall");
+            EXPECT_EQ(hangs_along(points, normals), 0) << turn;
+        }
+    }
+}
+
 TEST_F(UpTest, AFlatBaseTellsUp) {
     for (int i = 0; i < 600; ++i) { // A cone has a quarter of its samples on its base.
         const double angle = 2.399963229728653 * i;
