@@ -15,7 +15,7 @@ from curves import rings
 from test_cli import STAGE, rows
 from test_meshes import glb, gltf
 from test_ptx import ptx, wall
-from test_scans import pcd_picture
+from test_scans import las, pcd_picture
 from test_shapes import CUBE, QUADS, ply_header, stl, write
 
 import hrbfnpr
@@ -178,7 +178,21 @@ def not_finite():
 
 
 def cut_short():
-    return ply_header("binary_little_endian", ("vertex", 100, ["float x", "float y", "float z"])) + bytes(200)
+    places, faces = ["float x", "float y", "float z"], ["list uchar int vertex_indices"]
+    return ply_header("binary_little_endian", ("vertex", 100, places), ("face", 1, faces)) + bytes(200)
+
+
+def hill(across=100.0, along=100.0):
+    """Places on a hill of 60."""
+    x, y = np.meshgrid(np.linspace(0, 1, 15), np.linspace(0, 1, 15))
+    return np.column_stack([across * x.ravel(), along * y.ravel(), 30 * np.sin(3 * x + 2 * y).ravel() + 500])
+
+
+def forest():
+    """A hill, and trees on each third of its points."""
+    ground = hill()
+    points = np.vstack([ground, ground[::3] + [0, 0, 25]])
+    return las(points=points, count=len(points), flags=np.where(np.arange(len(points)) < len(ground), 2, 5))
 
 
 def thin():
@@ -202,6 +216,9 @@ ROWS = {
     "points along curves, such as wires, cross sections or a tracked pen": ("a.xyz", lambda: table(rings()), [], 0),
     "points with colours, without normals": (
         "a.xyz", lambda: "".join(f"{x} {y} {z} 9 200 31\n" for x, y, z in ball()[0].tolist()), [], 0),
+    "points of a laser survey, with classes of ground and vegetation": ("a.las", forest, [], 0),
+    "points with longitude, latitude and height": (
+        "a.csv", lambda: "lon,lat,height\n" + table(hill(0.01, 0.01) + [10, 47, 0]).replace(" ", ","), [], 0),
     "points, some without a usable position or normal": ("a.xyz", with_zeros, [], 0),
     "points with normals, a few far away": ("a.xyz", far_away, [], 0),
     "several points at one place": ("a.xyz", lambda: 2 * table(*ball()), [], 0),
@@ -241,6 +258,7 @@ ROWS = {
     "file with the wrong ending": ("a.xyz", lambda: stl(True), ["--samples", "200"], 0),
     "text that is no table of numbers": ("a.xyz", lambda: "Dear Sir,\nI send you my scan.\n", [], 1),
     "face with a vertex that does not exist": ("a.obj", lambda: "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n", [], 1),
+    "points with a wrong count, or cut short": ("a.pts", lambda: "201\n" + table(*ball()), [], 0),
     "truncated file": ("a.ply", cut_short, [], 1),
     "empty file": ("a.ply", lambda: "", [], 1),
     "unknown format": ("a.docx", lambda: b"PK\3\4" + bytes(50), [], 1),
@@ -264,6 +282,9 @@ SAID = {
     "points along curves, such as wires, cross sections or a tracked pen":
         "note: the points lie along curves: the surface between the curves is drawn too",
     "points with colours, without normals": "note: columns 4 to 6 are colours: they are not used as normals",
+    "points of a laser survey, with classes of ground and vegetation":
+        "note: only the ground is read, N of N points (classes all reads all)",
+    "points with longitude, latitude and height": "note: degrees are converted to metres, the unit of the heights",
     "points, some without a usable position or normal": "note: N points left out: without a usable position or normal",
     "points with normals, a few far away": "note: N points far from all others left out",
     "several points at one place": "note: N samples merged with another at the same place",
@@ -312,6 +333,7 @@ SAID = {
     "text that is no table of numbers": "error: FILE: line 1, column 1: 'Dear' is not a number; a line holds x y z",
     "face with a vertex that does not exist":
         "error: FILE: line 5, column 4: a face names vertex 9, but there are 3 vertices, 1 to 3",
+    "points with a wrong count, or cut short": "note: the file says N points, but it has N: these are read",
     "truncated file": "error: FILE: the PLY file ends in the middle of its N elements 'vertex'",
     "empty file": "error: FILE: not a PLY file: the file is empty",
     "unknown format": "error: FILE: files that end in .docx are not read",

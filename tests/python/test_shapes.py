@@ -173,7 +173,7 @@ def test_broken_xyz(tmp_path, text, words):
 
 
 def test_pwn_with_a_wrong_count_is_refused(tmp_path):
-    """Nobody can know which of its lines are normals."""
+    """Its count would tell which of its lines are normals."""
     with pytest.raises(shapes.ShapeError, match="says 3 points, but 4 lines of 3 numbers"):
         shapes.read(write(tmp_path, "a.pwn", "3\n1 2 3\n4 5 6\n0 0 1\n1 0 0\n"))
 
