@@ -17,7 +17,7 @@ from ._table import Rows, about_count, at, is_number, number_at, numbers, plain,
 _HINT = "a line holds x y z, or x y z nx ny nz, and a first line may name these columns"
 _COMMENTS = (b"#", b"//", b"%")
 _LISTED = re.compile(rb"(?:col(?:umn)?|field)?\W*(\d+)[\W_]+(\w.*)", re.I)  # a comment about one column, such as 1: x [m]
-UP: Vector = (0.0, 0.0, 1.0)  # of maps
+UP: Vector = (0.0, 0.0, 1.0)  # the convention of maps
 _DECIMAL = re.compile(rb"[+-]?\d+,\d+(?:[eE][+-]?\d+)?")
 _TO_SPACES = bytes.maketrans(b",;\t", b"   ")
 
