@@ -627,3 +627,22 @@ def test_vrml(tmp_path):
         shapes.read(write(tmp_path, "bad.wrl", VRML[:90]))
     with pytest.raises(shapes.ShapeError, match="VRML of version 1"):
         shapes.read(write(tmp_path, "old.wrl", "#VRML V1.0 ascii\n"))
+
+
+def test_classes_are_an_option_of_drawings(tmp_path, capsys):
+    from test_input import QUICK, forest
+
+    import hrbfnpr
+    from hrbfnpr.cli import main
+
+    path = write(tmp_path, "a.las", forest())
+    counts = {"": 225, "--classes=2,5": 300, "--classes=5": 75, "--classes=all": 300}
+    for option, count in counts.items():
+        assert main(["draw", str(path), *filter(None, [option]), str(tmp_path / "a.png"), *QUICK]) == 0
+        assert f"LAS: {count} points" in capsys.readouterr().out
+    for given, note in ((5, "75 of 300 points are of the classes 5"), ([5, 2], "300 of 300 points are of the classes 5, 2")):
+        assert note in map(str, hrbfnpr.draw(path, size=50, marks=100, classes=given).notes)
+    assert main(["draw", str(path), "--classes", "2,x"]) == 2 and "a whole number is needed" in capsys.readouterr().err
+    assert main(["draw", str(path), "--classes", "256"]) == 2
+    with pytest.raises(ValueError, match="classes are of the points of a LAS or LAZ file"):
+        hrbfnpr.draw((POINTS, NORMALS), classes=2)
