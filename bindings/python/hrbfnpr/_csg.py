@@ -101,6 +101,12 @@ def create(cls: Type[Self], context: Any, nodes: List[Dict[str, Any]], leaves: S
     return model
 
 
+def union_of_balls(cls: Type[Self], context: Any, centers: Any, radii: Any) -> Self:
+    """The union of balls, with creases where they meet."""
+    balls = [node("sphere", 0, frame(center, (0.0, 0.0, 1.0)), radius=radius) for center, radius in zip(centers, radii)]
+    return create(cls, context, [node("union"), *balls], (), None)
+
+
 class Combining(Owner):
     """The part of `Model` that makes solids from models."""
 

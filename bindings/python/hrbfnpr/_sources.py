@@ -10,6 +10,7 @@ from typing import Any, Mapping, Optional, Union
 from . import shapes
 from ._camera import Camera
 from ._context import Context
+from ._csg import union_of_balls
 from ._errors import CorruptDataError, Error, OutOfMemoryError
 from ._foreign import name_of, shape_of
 from ._model import Model
@@ -21,6 +22,7 @@ from ._script import run
 from ._values import words_of
 from ._vtk_scene import camera_in, options_in, scene_in
 
+MOST_BALLS = 60_000  # a solid has at most 65 536 nodes
 _MAGIC = b"\x89HRB\r\n\x1a\n"
 _OF_SOLIDS = ("SURFACE_ONLY", "IS_SOLID", "CLOSE")
 
@@ -49,7 +51,9 @@ def in_words(content: Any) -> str:
     if isinstance(content, PointSet):
         return f"a saved point set of {len(content)} marks"
     count = f"{len(content.points)} points"
-    if content.is_mesh:
+    if content.radii is not None:
+        count = f"{len(content.points)} balls"
+    elif content.is_mesh:
         count = f"{len(content.points)} vertices, {len(content.triangles)} triangles"
     elif content.normals is not None:
         count += " with normals"
@@ -74,11 +78,20 @@ def read(path: Path, options: Options, context: Context, report: Reporter, is_sc
                 for note in content.notes:
                     report.note(note)
             stage.says = in_words(content)
-        return content
+        return _solid_of(content, context)
     except OutOfMemoryError:
         raise
     except (Error, ValueError) as error:
         raise ValueError(f"{path}: {words_of(error)}") from error
+
+
+def _solid_of(content: Any, context: Context) -> Any:
+    """The union of the balls of a shape that has radii; all else as it is."""
+    if not isinstance(content, shapes.Shape) or content.radii is None:
+        return content
+    if len(content.points) > MOST_BALLS:
+        raise ValueError(f"{len(content.points)} balls are too many for one solid: keep a part of the file, at most {MOST_BALLS}")
+    return union_of_balls(Model, context._handle, content.points.tolist(), content.radii.tolist())
 
 
 def _solid(path: Path, options: Options, context: Context, report: Reporter) -> Model:
@@ -122,9 +135,10 @@ def scene_of(
         contents = [source]
     else:
         scene = scene_in(source)
-        contents = [shape_of(source)] if scene is None else list(scene.shapes)
-        for note in scene.notes if scene is not None else contents[0].notes:
+        found = [shape_of(source)] if scene is None else scene.shapes
+        for note in scene.notes if scene is not None else found[0].notes:
             report.note(note)
+        contents = [_solid_of(one, context) for one in found]
         if scene is not None:
             options = options_in(scene, options, style)
             camera = camera_in(scene, options) if camera is None else camera

@@ -86,6 +86,11 @@ def _examine(path: Path, findings: Findings, context: Context) -> None:
         normals=shape.normals is not None,
         notes=list(shape.notes),
     )
+    if shape.radii is not None:
+        low, high = (shape.points - shape.radii[:, None]).min(axis=0), (shape.points + shape.radii[:, None]).max(axis=0)
+        facts.update(kind="balls", bounds_min=low.tolist(), bounds_max=high.tolist())
+        facts.update(diagonal=float(np.linalg.norm(high - low)), radii=[float(shape.radii.min()), float(shape.radii.max())])
+        return
     info, notes = inspect(shape, lib.HRBFNPR_WORDING_OPTIONS, context)
     for note in notes:
         lists = {"note": findings.repairs, "warning": findings.warnings, "failure": findings.errors}

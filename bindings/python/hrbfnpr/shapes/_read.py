@@ -13,12 +13,16 @@ from typing import Callable, Dict, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from . import _assimp, _cad, _heights, _scans, _vtk
+from . import _3dxml, _assimp, _cad, _heights, _scans, _vtk
 from ._3mf import is_3mf, read_3mf
 from ._amf import MAGIC as AMF_MAGIC
 from ._amf import read_amf
+from ._cube import read_cube
 from ._degrees import prj_says
+from ._gifti import MAGIC as GIFTI_MAGIC
+from ._gifti import read_gifti
 from ._gltf import read_gltf
+from ._molecule import PDB_MAGIC, XYZ_MAGIC, read_molecule, read_pdb
 from ._npy import read_npy, read_npz
 from ._obj import read_obj, read_off
 from ._pcd import read_pcd
@@ -28,6 +32,8 @@ from ._ptx import read_ptx
 from ._shape import Hints, Shape, ShapeError
 from ._stl import read_stl
 from ._table import plain
+from ._usda import MAGIC as USDA_MAGIC
+from ._usda import read_usda
 from ._xyz import read_xyz
 
 _HEAD = 65536  # number of bytes that are examined to find the format
@@ -59,6 +65,8 @@ FORMATS: Dict[str, Format] = {
         Format("grid", _heights.read_grid, hinted=True), Format("PGM", _heights.read_pgm),
         Format("GeoTIFF", None, _heights.read_geotiff), Format("DEM", None, _heights.read_dem), Format("3MF", None, read_3mf), Format("AMF", read_amf), Format("PTX", read_ptx),
         Format("VRML", None, _vtk.read_vrml), Format("NPY", read_npy), Format("NPZ", read_npz),
+        Format("GIFTI", read_gifti), Format("PDB", read_pdb), Format("molecule", read_molecule), Format("Gaussian cube", read_cube),
+        Format("USDA", read_usda), Format("3DXML", None, _3dxml.read),
         *(Format(name, None, _assimp.read) for name in _assimp.ENDINGS.values()),
         *(Format(name, None, _cad.read) for name in dict.fromkeys(_cad.ENDINGS.values())),
     )
@@ -69,6 +77,7 @@ ENDINGS = {
     ".gltf": "glTF", ".glb": "glTF", ".vtp": "VTP", ".vtu": "VTU", ".vtk": "VTK", ".las": "LAS", ".laz": "LAS",
     ".e57": "E57", ".grd": "grid", ".pgm": "PGM", ".tif": "GeoTIFF", ".tiff": "GeoTIFF",
     ".3mf": "3MF", ".amf": "AMF", ".ptx": "PTX", ".npy": "NPY", ".npz": "NPZ", ".wrl": "VRML", ".vrml": "VRML", **dict.fromkeys((".dem", ".hgt", ".dt0", ".dt1", ".dt2", ".bil", ".flt"), "DEM"),
+    ".gii": "GIFTI", ".pdb": "PDB", ".ent": "PDB", ".cube": "Gaussian cube", ".cub": "Gaussian cube", ".usda": "USDA", ".3dxml": "3DXML",
     **_assimp.ENDINGS, **_cad.ENDINGS,
 }  # fmt: skip
 _BY_MESHIO = (".msh", ".inp", ".mesh", ".bdf", ".nas", ".med", ".xdmf", ".tet", ".avs", ".e", ".exo", ".dat")
@@ -77,7 +86,7 @@ _MAGIC: Tuple[Tuple[bytes, str], ...] = (
     (rb"(?:#[^\n]*\n|\s)*(?:VERSION\s[.\d]+\s+)?FIELDS\s", "PCD"), (rb"# vtk DataFile", "VTK"),
     (rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<VTKFile[^>]*PolyData", "VTP"),
     (rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<VTKFile[^>]*UnstructuredGrid", "VTU"),
-    (AMF_MAGIC, "AMF"), (rb"P[25]\s", "PGM"), (rb"II[*+]\0|MM\0[*+]", "GeoTIFF"), (rb"\s*(?i:ncols|nrows)\s+\d+\s", "grid"),
+    (AMF_MAGIC, "AMF"), (GIFTI_MAGIC, "GIFTI"), (USDA_MAGIC, "USDA"), (PDB_MAGIC, "PDB"), (XYZ_MAGIC, "molecule"), (rb"P[25]\s", "PGM"), (rb"II[*+]\0|MM\0[*+]", "GeoTIFF"), (rb"\s*(?i:ncols|nrows)\s+\d+\s", "grid"),
     (rb"ISO-10303-21;(?:(?!FILE_SCHEMA).)*FILE_SCHEMA\s*\(\s*\(\s*'(?!IFC)", "STEP"), (rb"\s*(?:DBRep_DrawableShape\s+)?CASCADE Topology", "BREP"),
     (PTX_MAGIC, "PTX"), (rb"P(?: \d*\.?\d+){3} \d+ \d+\s", "MNI object"), (rb"\s*(?:ST)?C?N?4?n?OFF(?=\d|\b)", "OFF"), (rb"\s*\{[^\0]*\"asset\"\s*:", "glTF"),
     (rb"(?:\s*#[^\r\n]*[\r\n])*\s*(?i:solid)\b[^\0]*\n\s*(?i:facet|endsolid)\b", "STL"),
@@ -86,12 +95,12 @@ _MAGIC: Tuple[Tuple[bytes, str], ...] = (
 READ = (
     "PLY, OBJ, STL, OFF, 3MF, AMF, glTF and GLB; points as XYZ, TXT, ASC, CSV, PTS, PWN, PTX, PCD, LAS, LAZ, E57, NPY or NPZ; "
     "VTK, VTU, VTP and VRML; STEP, IGES and BREP by Open CASCADE; Collada, FBX, 3DS, Blender, X3D and others by assimp; "
-    "height maps as ESRI grid, PGM, GeoTIFF or DEM"
+    "USDA, 3DXML; GIFTI; molecules as PDB, XYZ or Gaussian cube; height maps as ESRI grid, PGM, GeoTIFF or DEM"
 )
 _CONVERT = {
     **dict.fromkeys((".sldprt", ".sldasm", ".ipt", ".iam", ".prt", ".catpart", ".x_t", ".sat", ".fcstd", ".f3d"),
                     "its program exports STEP or STL"),
-    **dict.fromkeys((".max", ".usd", ".usda", ".usdc", ".usdz"),
+    **dict.fromkeys((".max", ".usd", ".usdc", ".usdz"),
                     "Blender exports it as glTF or PLY"),
     **dict.fromkeys((".fls", ".rcp", ".rcs", ".zfs", ".bin", ".pod"),
                     "CloudCompare saves it as PLY, with normals"),
@@ -101,7 +110,7 @@ _CONVERT = {
     **dict.fromkeys((".png", ".jpg", ".jpeg", ".bmp"), "it is a picture; heights of terrain go into a PGM of 16 bits"),
     **dict.fromkeys((".mat", ".pkl", ".h5", ".hdf5"), "save its arrays of points, normals and triangles as .npz, with NumPy"),
 }  # fmt: skip
-
+_SAME_ENDING = ({"grid", "text"}, {"molecule", "text"})  # formats whose files may have the same ending
 
 _NO_MODEL = (
     (rb"\s*<(?i:!doctype html|html)\b", "this is a web page, not a model: the download went wrong"),
@@ -138,8 +147,8 @@ def read(path: Union[str, "os.PathLike[str]"], classes: Optional[Sequence[int]] 
     Parameters
     ----------
     path : path
-        The file: PLY, OBJ, STL, OFF, 3MF, AMF, glTF and GLB; tables of points with three or more columns (such as XYZ, TXT,
-        CSV, PTS, PWN); PTX, PCD, LAS, NPY and NPZ; and, with the package or program that reads them, LAZ, E57, GeoTIFF, DEM,
+        The file: PLY, OBJ, STL, OFF, 3MF, AMF, glTF, GLB, GIFTI, USDA and 3DXML; tables of points with three or more columns
+        (such as XYZ, TXT, CSV, PTS, PWN); PTX, PCD, LAS, NPY and NPZ; molecules (PDB, XYZ, Gaussian cube); and, with the package or program that reads them, LAZ, E57, GeoTIFF, DEM,
         VTK's formats, STEP, IGES, BREP, and formats of 3D programs such as Collada, FBX, 3DS and Blender.  The contents
         decide about the format before the ending does.  Files that are packed with gzip are unpacked.
     classes : sequence of int, optional
@@ -186,6 +195,8 @@ def _read(path: Path, classes: Optional[Tuple[int, ...]]) -> Shape:
         return _read_unpacked(_vtk.read_meshio, data, ending) if packed else _vtk.read_meshio(path)
     if name == "text" and expected == "PTX" and len(head.split(b"\n", 1)[0].split()) < 3:
         name = expected  # a damaged PTX file: its reader reports the error in the header
+    if name == "text" and expected == "Gaussian cube":
+        name = expected  # its head looks like a table
     form = FORMATS[name]
     if classes is not None and name != "LAS":
         raise ShapeError("classes are of the points of LAS and LAZ files: leave them out")
@@ -196,7 +207,7 @@ def _read(path: Path, classes: Optional[Tuple[int, ...]]) -> Shape:
         assert form.read_path is not None
         reader = form.read_path
         shape = _read_unpacked(lambda file: reader(file, *more), data, ending) if packed else reader(path, *more)
-    if expected is not None and name != expected and {name, expected} != {"grid", "text"}:
+    if expected is not None and name != expected and {name, expected} not in _SAME_ENDING:
         what = "a table of points" if name == "text" else name
         note = f"the ending is {ending}, but the file holds {what} and is read as such"
         return replace(shape, notes=(note, *shape.notes))

@@ -67,6 +67,8 @@ class Shape:
         What the reader left out or assumed.
     fields : mapping of str to PointValues
         Values of the points by name, such as "rgb", "quality" and "intensity", which the option `field` of a drawing names.
+    radii : array of float64, shape (n,), or None
+        Radii of balls around the points, such as the atoms of a molecule.  The union of the balls is drawn.
     """
 
     points: Floats
@@ -81,6 +83,7 @@ class Shape:
     image_shape: Optional[Tuple[int, int]] = None
     sharp_edges: Optional[Integers] = None
     fields: Mapping[str, PointValues] = field(default_factory=dict)
+    radii: Optional[Floats] = None
 
     def __post_init__(self) -> None:
         if len(self.points) == 0:
