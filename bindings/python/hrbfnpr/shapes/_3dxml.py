@@ -61,7 +61,7 @@ class _Reader:
 
     def __init__(self, archive: zipfile.ZipFile) -> None:
         self._archive = archive
-        self._meshes: Dict[str, List[_Mesh]] = {}  # of each part that was read
+        self._meshes: Dict[str, List[_Mesh]] = {}  # the meshes of each part that was read
         self._files: Dict[str, str] = {}  # the part of each representation
         self._reps: Dict[str, List[str]] = {}  # the representations of each product
         self._within: Dict[str, List[Tuple[str, Floats]]] = {}  # the products inside each product, with their places
