@@ -24,10 +24,12 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkLineSource, vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkAssembly,
     vtkCamera,
+    vtkCompositeDataDisplayAttributes,
     vtkDataSetMapper,
     vtkPolyDataMapper,
     vtkRenderer,
@@ -140,6 +142,34 @@ def test_what_a_window_does_not_show_is_left_out_and_said():
     ):
         with pytest.raises(ValueError, match=words):
             hrbfnpr.draw(renderer)
+
+
+def test_blocks_have_colours_of_their_own():
+    blocks = vtkMultiBlockDataSet()
+    for i in range(3):
+        blocks.SetBlock(i, output_of(ball((2 * i, 0, 0))))
+    mapper, actor, attributes = vtkCompositePolyDataMapper2(), vtkActor(), vtkCompositeDataDisplayAttributes()
+    mapper.SetInputDataObject(blocks)
+    mapper.SetCompositeDataDisplayAttributes(attributes)
+    attributes.SetBlockColor(blocks.GetBlock(0), RED)
+    attributes.SetBlockVisibility(blocks.GetBlock(1), False)
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(*BLUE)
+    actor.GetProperty().EdgeVisibilityOn()
+    scene = _vtk_scene.scene_in(renderer_of(actor))
+    assert [tuple(shape.fields["rgb"].values[0]) for shape in scene.shapes] == [RED, BLUE]
+    np.testing.assert_allclose([shape.points[:, 0].mean() for shape in scene.shapes], [0, 4], atol=0.01)
+    assert scene.notes == ["1 hidden block left out", "1 actor with the edges of cells shown: edges of cells are not drawn"]
+
+
+def test_planes_of_mappers_cut():
+    actor, plane = actor_of(vtkCubeSource()), vtkPlane()
+    actor.SetPosition(3, 0, 0)
+    actor.SetScale(2, 1, 1)
+    plane.SetOrigin(3.5, 0, 0)
+    plane.SetNormal(-1, 0, 0)
+    actor.GetMapper().AddClippingPlane(plane)
+    np.testing.assert_allclose(extent(_vtk_scene.scene_in(renderer_of(actor)).shapes[0])[:, 0], [2, 3.5])
 
 
 def test_data_becomes_surfaces():
@@ -257,6 +287,7 @@ def test_the_camera_is_that_of_the_window(parallel, size):
     camera.SetWindowCenter(0.2, -0.1)
     camera.SetParallelProjection(parallel)
     camera.SetParallelScale(3.5)
+    camera.SetClippingRange(6.9, 7)  # which VTK renews when it renders
     picture = hrbfnpr.from_pyvista(window, **FEW)
     assert picture.size == size
     matrix = camera.GetCompositeProjectionTransformMatrix(size[0] / size[1], -1, 1)

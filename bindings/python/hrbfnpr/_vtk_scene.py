@@ -25,15 +25,16 @@ from .shapes._vtk import has_faces, shape_of_arrays
 from .shapes._vtk_reader import arrays_of, polygons_of
 
 _CLASSES = {
-    "vtkCommonCore": ("reference",), "vtkCommonDataModel": ("vtkPolyData",),
+    "vtkCommonCore": ("reference",), "vtkCommonDataModel": ("vtkPlane", "vtkPolyData"),
     "vtkRenderingCore": ("vtkPolyDataMapper", "vtkCamera"),
-    "vtkFiltersCore": ("vtkTriangleFilter",), "vtkFiltersGeometry": ("vtkDataSetSurfaceFilter",),
+    "vtkFiltersCore": ("vtkClipPolyData", "vtkTriangleFilter"), "vtkFiltersGeometry": ("vtkDataSetSurfaceFilter",),
 }  # fmt: skip
 _WIREFRAME = 1  # VTK_WIREFRAME, the representation of faces by their edges
 _VIEW = ("azimuth", "elevation", "direction", "eye", "target", "fov")  # options that replace the camera of the scene
 _NEAREST = 1e-3  # least distance of the near plane, in distances of the farthest point
 _LEFT_OUT = {
     "hidden": "{} hidden {actors} left out",
+    "blocks": "{} hidden {blocks} left out",
     "text": "{} {parts} that {are} no surface left out, such as axes, text and scalar bars",
     "volume": "{} {volumes} left out: contour() makes a surface of a volume",
     "lines": "{} {actors} of lines or wires left out: tube() and the representation as a surface show them",
@@ -42,9 +43,10 @@ _LEFT_OUT = {
 }  # fmt: skip
 _ASSUMED = {
     "opacity": "{} translucent {actors} drawn as opaque; hidden actors are left out",
+    "edges": "{} {actors} with the edges of cells shown: edges of cells are not drawn",
     "texture": "{} {textures} not drawn: colours of the points are",
 }  # fmt: skip
-_PLURALS = {"actors": "actor", "parts": "part", "volumes": "volume", "textures": "texture", "are": "is"}
+_PLURALS = {"blocks": "block", "actors": "actor", "parts": "part", "volumes": "volume", "textures": "texture", "are": "is"}
 
 
 @dataclass
@@ -218,11 +220,22 @@ def _surfaces(scene: VtkScene, prop: Any, place: Floats) -> Iterator[_Surface]:
     if look.GetRepresentation() == _WIREFRAME and _has_faces(mapper):
         scene.counts["lines"] += 1
         return
+    scene.counts["edges"] += bool(look.GetEdgeVisibility())
     mapper.Update()
     data = mapper.GetInputDataObject(0, 0)
-    for polygons in _polygons(data) if data is not None else ():
-        has_values = _colour(mapper, polygons)
-        yield _Surface(polygons, place @ _matrix_of(prop), look.GetColor(), has_values)
+    of_blocks = getattr(mapper, "GetCompositeDataDisplayAttributes", lambda: None)()
+    for block in _blocks(data) if data is not None else ():
+        colour = look.GetColor()
+        if of_blocks is not None:
+            if of_blocks.HasBlockVisibility(block) and not of_blocks.GetBlockVisibility(block):
+                scene.counts["blocks"] += 1
+                continue
+            if of_blocks.HasBlockColor(block):
+                colour = of_blocks.GetBlockColor(block)
+        for polygons in _polygons(block):
+            has_values = _colour(mapper, polygons)
+            matrix = place @ _matrix_of(prop)
+            yield _Surface(_clipped(mapper, polygons, matrix), matrix, colour, has_values)
 
 
 def _has_faces(mapper: Any) -> bool:
@@ -236,15 +249,39 @@ def _matrix_of(prop: Any) -> Floats:
     return np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
 
 
+def _blocks(data: Any) -> Iterator[Any]:
+    """The blocks of data that are no collections; the data itself if it is none."""
+    if not data.IsA("vtkCompositeDataSet"):
+        yield data
+        return
+    each = data.NewIterator()
+    each.InitTraversal()
+    while not each.IsDoneWithTraversal():
+        yield each.GetCurrentDataObject()
+        each.GoToNextItem()
+
+
+def _clipped(mapper: Any, polygons: Any, matrix: Floats) -> Any:
+    """Polygons without what the planes of a mapper, which are in the scene's coordinates, cut off."""
+    planes = mapper.GetClippingPlanes()
+    for i in range(0 if planes is None else planes.GetNumberOfItems()):
+        vtk, plane = _vtk(), planes.GetItem(i)
+        cut, moved = vtk.vtkClipPolyData(), vtk.vtkPlane()
+        moved.SetOrigin(*np.linalg.solve(matrix, [*plane.GetOrigin(), 1.0])[:3])
+        moved.SetNormal(*(matrix[:3, :3].T @ np.array(plane.GetNormal())))
+        cut.SetClipFunction(moved)
+        cut.SetInputData(polygons)
+        cut.Update()
+        polygons = cut.GetOutput()
+    return polygons
+
+
 def _polygons(data: Any) -> Iterator[Any]:
     """Copies of the polygons of data, one for each block."""
     vtk = _vtk()
     if data.IsA("vtkCompositeDataSet"):
-        each = data.NewIterator()
-        each.InitTraversal()
-        while not each.IsDoneWithTraversal():
-            yield from _polygons(each.GetCurrentDataObject())
-            each.GoToNextItem()
+        for block in _blocks(data):
+            yield from _polygons(block)
         return
     if not data.IsA("vtkDataSet"):
         raise ShapeError(f"{data.GetClassName()} holds no points and no cells: give a data set of VTK")
