@@ -246,8 +246,9 @@ GROUPS = {
                "the file say if faces are coarse)"),  # fmt: skip
         Option("subdivide", "subdivide", "count_or_auto 0 6", "N", "how often each face of a mesh is divided into four "
                "and rounded; 0 to 6 (default: as needed if faces are coarse)"),  # fmt: skip
-        choice("parts", "parts", "parts of a mesh to draw: all that are not inside others, all, or the largest by area "
-               "(default: outer)"),  # fmt: skip
+        choice("parts", "parts", "parts of a mesh to draw: outer leaves out those inside others, solids keeps cavities, "
+               "all keeps open parts inside others too, largest keeps one; auto is solids for hidden lines, sections, "
+               "sheets and fits, else outer (default: auto)"),  # fmt: skip
         flag("together", "flags.TOGETHER", "fit an open mesh as one surface, even if its parts cross"),
         choice("normals", "normals", "state of the normals of points: auto finds out and repairs them, keep leaves "
                "them, none computes new ones, unoriented and mixed turn some, inward turns all (default: auto)",

@@ -3090,13 +3090,17 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_identify(const hrbfnpr_drawing* drawi
 /* Triangles that have been repaired. */
 typedef struct hrbfnpr_mesh hrbfnpr_mesh;
 
-/* Which components of a mesh are kept.  Faces that share vertices belong to one component. */
+/* Which components of a mesh are kept.  Faces that share vertices belong to one component.
+ * With ALL and SOLIDS, a closed component inside an odd number of closed ones is the wall of a cavity, and its faces are
+ * turned into the cavity.  One inside an even number is a solid. */
 enum {
-    HRBFNPR_PARTS_OUTER = 0,  /* keeps all components except those inside a closed one, such as eyes in a head or inner
-                                 shells */
-    HRBFNPR_PARTS_ALL = 1,    /* keeps all components.  One that lies inside an odd number of closed ones is a cavity if
-                                 its faces say so, and is not turned */
-    HRBFNPR_PARTS_LARGEST = 2 /* keeps the component of the largest area */
+    HRBFNPR_PARTS_OUTER = 0,   /* keeps all components except those inside a closed one, such as eyes in a head or
+                                  inner shells */
+    HRBFNPR_PARTS_ALL = 1,     /* keeps all components */
+    HRBFNPR_PARTS_LARGEST = 2, /* keeps the component of the largest area */
+    HRBFNPR_PARTS_SOLIDS = 3,  /* keeps all components except open ones inside a closed one */
+    HRBFNPR_PARTS_AUTO = 4     /* in a picture SOLIDS if hidden parts of lines or a section are drawn, or with
+                                  SURFACE_ONLY; else OUTER */
 };
 
 /* Whether the order of a face's corners may change. */
@@ -3175,7 +3179,7 @@ typedef struct hrbfnpr_mesh_info {
     uint32_t creases;             /* 1: the mesh has edges that stand out, as those of machine parts do.
                                      hrbfnpr_model_fit_mesh keeps them sharp with edges AUTO and the default
                                      crease_angle */
-    uint32_t reserved;
+    uint32_t cavities;            /* components that are kept and are walls of cavities */
 } hrbfnpr_mesh_info;
 
 /* Sets struct_size; all other fields are 0. */
@@ -4054,7 +4058,7 @@ typedef struct hrbfnpr_picture_desc {
                                 for points */
     int64_t maximum_centres; /* the most samples that are chosen, 0 or more; default 0 = 8000 for a mesh, and no limit
                                 for points */
-    uint32_t parts;          /* parts of a mesh that are kept, HRBFNPR_PARTS_...; default OUTER */
+    uint32_t parts;          /* parts of a mesh that are kept, HRBFNPR_PARTS_...; default AUTO */
     uint32_t edges;          /* edges of a mesh that are sharp, HRBFNPR_PICTURE_EDGES_...; default AS_GIVEN */
     double edge_angle;       /* angle between the normals of two faces, in degrees, above which their edge is sharp,
                                 with EDGES_SHARP; 5 .. 175; default 30 */
@@ -4461,8 +4465,8 @@ typedef struct hrbfnpr_views_info {
 HRBFNPR_API hrbfnpr_status hrbfnpr_views_info_init(hrbfnpr_views_info* info, uint32_t struct_size);
 
 /* Writes a sheet of views of a picture's first part, which must have a model.  A picture made with SURFACE_ONLY is
- * enough.  `desc`, `info` and `operation` may be NULL.  The picture gets stages LINES and VIEWS, and notes
- * UNIT_IS_METRE, NO_SYMMETRY and SECTION_OPEN.
+ * enough, and its model has the cavities of a mesh; others may need SOLIDS as `parts`.  `desc`, `info` and `operation`
+ * may be NULL.  The picture gets stages LINES and VIEWS, and notes UNIT_IS_METRE, NO_SYMMETRY and SECTION_OPEN.
  * Errors: INVALID_ARGUMENT (a picture of a point set; a text that is not understood; a plane that misses the model;
  * views that have no room on the paper at the scale: the message names a scale or paper with room), and those of
  * hrbfnpr_line_set_create, hrbfnpr_renderer_draw and hrbfnpr_page_write. */

@@ -31,7 +31,7 @@ constexpr std::int64_t grain = 4096;
 constexpr auto mesh_fields() noexcept {
     using mesh::MeshInput;
     return FieldTable{
-        field("parts", &MeshDesc::parts, &MeshInput::parts, rule::OneOf{HRBFNPR_PARTS_LARGEST, "HRBFNPR_PARTS_*"}),
+        field("parts", &MeshDesc::parts, &MeshInput::parts, rule::OneOf{HRBFNPR_PARTS_AUTO, "HRBFNPR_PARTS_*"}),
         field("vertices", &MeshDesc::vertices, rule::Any{}),
         field("triangles", &MeshDesc::triangles, rule::Any{}),
         field("crease_angle", &MeshDesc::crease_angle, &MeshInput::crease_angle, rule::Between{0.0, 180.0}),
@@ -126,6 +126,7 @@ hrbfnpr_mesh_info describe(const hrbfnpr_mesh& handle) noexcept {
     info.turned_components = report.turned_components;
     info.nested_components = report.nested_components;
     info.left_out_components = report.left_out_components;
+    info.cavities = static_cast<std::uint32_t>(report.cavities);
     info.left_out_faces = report.left_out_faces;
     info.boundary_edges = report.boundary_edges;
     info.boundary_loops = report.boundary_loops;

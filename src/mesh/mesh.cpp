@@ -47,7 +47,8 @@ void keep_components(const Welded& welded, const base::Array<std::int32_t>& comp
     for (const Component& each : measured) {
         const bool kept = is_kept(each, &each == largest, parts);
         if (kept) name[&each - measured.begin()] = ++names;
-        mesh.report.nested_components += each.nested ? 1 : 0;
+        mesh.report.nested_components += each.is_nested() ? 1 : 0;
+        mesh.report.cavities += kept && each.is_cavity() ? 1 : 0;
         mesh.report.left_out_components += kept ? 0 : 1;
     }
     // For each vertex: its new index plus 1, or 0 if it is dropped.

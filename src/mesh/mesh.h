@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Makes a usable triangle mesh from a caller's arrays: welds vertices, drops faces without area, orients faces, and
-// drops parts inside other parts.
+// drops parts inside other parts or makes them cavities.
 #pragma once
 
 #include "base/assert.h"
@@ -16,7 +16,7 @@
 namespace hrbfnpr::mesh {
 
 // The values equal the HRBFNPR_PARTS_ and HRBFNPR_FACES_ constants of hrbfnpr.h.
-enum class Parts : std::uint32_t { outer = 0, all = 1, largest = 2 };
+enum class Parts : std::uint32_t { outer = 0, all = 1, largest = 2, solids = 3, automatic = 4 };
 enum class Faces : std::uint32_t { turn = 0, keep = 1 };
 
 // The largest coordinate. Squares of coordinates and of areas then stay in the range of a double.
@@ -44,6 +44,7 @@ struct MeshReport {
     std::int64_t turned_components = 0;
     std::int64_t nested_components = 0;
     std::int64_t left_out_components = 0;
+    std::int64_t cavities = 0; // kept components that are walls of cavities
     std::int64_t left_out_faces = 0;
     std::int64_t boundary_edges = 0;
     std::int64_t boundary_loops = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The orientation spreads from face to face across edges with two faces. Volumes are sums over the faces, and over fans
-// of triangles that close holes. A component is nested if rays from its faces cross a closed component an odd number of
-// times.
+// of triangles that close holes. A component lies inside a closed component if rays from its faces cross the closed
+// component an odd number of times.
 #include "mesh/orient.h"
 
 #include "base/random.h"
@@ -221,7 +221,7 @@ void find_nested(const base::Work& work, const base::Array<glm::dvec3>& vertex, 
             holders = std::move(here);
             if (holders.empty()) return;
         }
-        measured[i].nested = true;
+        measured[i].around = static_cast<std::int32_t>(holders.size());
     });
 }
 

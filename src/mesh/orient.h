@@ -11,11 +11,15 @@ namespace hrbfnpr::mesh {
 struct Component {
     std::int64_t faces = 0;
     double area = 0.0;
-    double volume = 0.0; // the volume, with holes closed by fans of triangles
-    double holes = 0.0;  // the total area of the holes
-    bool closed = true;  // True if equally many faces run through each edge in both directions.
-    bool nested = false; // True if the component lies inside another component.
+    double volume = 0.0;     // the volume, with holes closed by fans of triangles
+    double holes = 0.0;      // the total area of the holes
+    bool closed = true;      // True if equally many faces run through each edge in both directions.
+    std::int32_t around = 0; // the number of closed components that it lies inside
     bool turned = false;
+
+    [[nodiscard]] bool is_nested() const noexcept { return around > 0; }
+    // A closed component inside an odd number of closed components is the wall of a cavity.
+    [[nodiscard]] bool is_cavity() const noexcept { return closed && around % 2 == 1; }
 };
 
 inline void turn(Triangle& triangle) noexcept { std::swap(triangle[1], triangle[2]); }
@@ -32,7 +36,7 @@ std::int64_t orient_consistently(const base::Work& work, const base::Array<glm::
 // Returns whether a component encloses a negative volume and is closed, except for small holes.
 [[nodiscard]] bool inside_out(const Component& component) noexcept;
 
-// Sets `nested` for components that lie inside a closed component. Rays from some of their faces decide.
+// Counts for each component the closed components that it lies inside. Rays from some of its faces decide.
 void find_nested(const base::Work& work, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle,
                  const base::Array<std::int32_t>& component, base::Array<Component>& measured);
 

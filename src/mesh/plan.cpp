@@ -16,8 +16,9 @@ namespace hrbfnpr::mesh {
 bool is_turned(const Component& component, Parts parts, Faces faces) noexcept {
     // The caller wants to keep the faces as they are.
     if (faces == Faces::keep) return false;
-    // If all parts are kept, a part inside another part is a cavity, whose faces must point into the cavity.
-    if (parts == Parts::all && component.nested) return false;
+    // The walls of a cavity face into the cavity, unless parts inside others are treated as outer parts.
+    const bool keeps_cavities = parts == Parts::all || parts == Parts::solids;
+    if (keeps_cavities && component.around % 2 == 1) return component.is_cavity() && component.volume > 0.0;
     // A component with a negative volume is inside out. An open component counts only if its holes are small.
     return inside_out(component);
 }
@@ -159,8 +160,10 @@ bool is_kept(const Component& component, bool is_largest, Parts parts) noexcept 
     // The caller wants only the largest component, or all components.
     if (parts == Parts::largest) return is_largest;
     if (parts == Parts::all) return true;
+    // An open component inside a closed one bounds no cavity.
+    if (parts == Parts::solids) return !component.is_nested() || component.closed;
     // By default, components inside other components are left out.
-    return !component.nested;
+    return !component.is_nested();
 }
 
 bool is_crumb(double area, double whole) noexcept { return area < plan_tuning.lost_area * whole; }

@@ -12,6 +12,8 @@
 #include "picture/ends.h"
 #include "picture/nearness.h"
 #include "picture/normals.h"
+#include "picture/plan.h"
+#include "picture/plate.h"
 #include "picture/points.h"
 #include "picture/sharp_edges.h"
 #include "picture/subdivide.h"
@@ -86,6 +88,13 @@ Mesh create_mesh(const Call& call, const hrbfnpr_mesh_desc& desc, hrbfnpr_operat
     });
 }
 
+// Returns whether the picture may show walls inside a solid: as hidden lines, or in a section. A model without a plan
+// for a drawing may be used for sections.
+bool shows_inside(const Call& call) {
+    if (has_section(call.options) || call.options.has(HRBFNPR_PICTURE_SURFACE_ONLY)) return true;
+    return draws_hidden(plan_style(call, any_side, any_side, false));
+}
+
 // Makes a mesh, and repairs it as the options allow.
 Mesh welded_mesh(const Call& call, const Points& points, const Vector<Triangle>& triangles,
                  hrbfnpr_operation* operation) {
@@ -93,6 +102,9 @@ Mesh welded_mesh(const Call& call, const Points& points, const Vector<Triangle>&
     hrbfnpr_mesh_desc desc = mesh_desc_of(points, triangles, crease_angle_of(options));
     desc.parts = options.desc.parts;
     desc.faces = keeps_faces(options) ? HRBFNPR_FACES_KEEP : HRBFNPR_FACES_TURN;
+    Mesh mesh = create_mesh(call, desc, operation);
+    if (desc.parts != HRBFNPR_PARTS_AUTO || info_of(mesh).left_out_components == 0 || !shows_inside(call)) return mesh;
+    desc.parts = HRBFNPR_PARTS_SOLIDS;
     return create_mesh(call, desc, operation);
 }
 
@@ -129,6 +141,10 @@ struct PreparedMesh {
 String borders_in_words(const hrbfnpr_mesh_info& info, Pool& pool) {
     String words = count_of(info.components, "part", pool);
     words += ", ";
+    if (info.cavities == 1)
+        words += "1 cavity, ";
+    else if (info.cavities > 1)
+        words += formatted(pool, "%d cavities, ", static_cast<int>(info.cavities));
     words += info.closed != 0           ? String("closed", &pool)
              : info.boundary_edges == 0 ? String("not closed", &pool)
                                         : count_of(info.boundary_loops, "border", pool);
@@ -189,7 +205,8 @@ struct LeftOutParts {
 
 LeftOutParts leave_out_lost(const Call& call, Mesh& mesh, Shape& shape, hrbfnpr_operation* operation) {
     LeftOutParts left_out;
-    if (call.options.desc.parts != HRBFNPR_PARTS_OUTER) return left_out;
+    const std::uint32_t parts = call.options.desc.parts;
+    if (parts == HRBFNPR_PARTS_ALL || parts == HRBFNPR_PARTS_LARGEST) return left_out;
     const LostParts lost = find_lost_parts(mesh, call.pool);
     if (lost.parts > 0) {
         left_out.far_parts = lost.parts;

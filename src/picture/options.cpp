@@ -84,7 +84,7 @@ constexpr auto picture_fields() noexcept {
         field("samples", &D::samples, rule::Between{0.0, 1e9}),
         field("tolerance", &D::tolerance, rule::not_negative),
         field("maximum_centres", &D::maximum_centres, rule::not_negative),
-        field("parts", &D::parts, rule::OneOf{HRBFNPR_PARTS_LARGEST, "HRBFNPR_PARTS_*"}),
+        field("parts", &D::parts, rule::OneOf{HRBFNPR_PARTS_AUTO, "HRBFNPR_PARTS_*"}),
         field("edges", &D::edges, rule::OneOf{HRBFNPR_PICTURE_EDGES_SHARP, "HRBFNPR_PICTURE_EDGES_*"}),
         field("edge_angle", &D::edge_angle, rule::Between{5.0, 175.0}),
         field("crease_angle", &D::crease_angle, OrNan{rule::Between{0.0, 180.0}}),
@@ -117,6 +117,7 @@ hrbfnpr_picture_desc defaults() noexcept {
     for (int axis = 0; axis < 3; ++axis) desc.eye[axis] = desc.target[axis] = desc.viewpoint[axis] = not_given;
     desc.turn_frames = 36;
     desc.normals = HRBFNPR_NORMALS_AUTO;
+    desc.parts = HRBFNPR_PARTS_AUTO;
     desc.edge_angle = 30.0;
     desc.subdivide = -1;
     desc.random_seed = 1;

@@ -320,7 +320,6 @@ hrbfnpr_camera choose_camera(const hrbfnpr_picture& picture) {
 // Finds where the ground is, before there is a camera. The lights do not depend on the size of the picture.
 void plan_ground(hrbfnpr_picture& picture, const Call& call, bool has_end) {
     if (!picture.options.wants_ground()) return;
-    constexpr double any_side = 1000.0;
     const Style style = plan_style(call, any_side, any_side, has_end);
     if (style.base.visibility == HRBFNPR_VISIBILITY_PUBLISHED) {
         call.report.note(HRBFNPR_NOTE_NO_GROUND, {},

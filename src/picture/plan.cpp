@@ -473,6 +473,12 @@ Style plan_style(const Call& call, double width, double height, bool has_end) {
     return style;
 }
 
+bool draws_hidden(const Style& style) noexcept {
+    return style.base.hidden_lines == HRBFNPR_HIDDEN_LINES_SHOW ||
+           std::any_of(style.lines.begin(), style.lines.end(),
+                       [](const hrbfnpr_line_style& line) { return line.hidden != HRBFNPR_HIDDEN_PARTS_NONE; });
+}
+
 Marks plan_marks(const Call& call, const Style& style, double area, double pixels_per_unit, std::int64_t centres) {
     HRBFNPR_ASSERT(centres >= 0);
     const Options& options = call.options;

@@ -10,6 +10,9 @@
 
 namespace hrbfnpr::picture {
 
+// A side of a picture, in pixels, for questions about the style that do not depend on the size of the picture.
+inline constexpr double any_side = 1000.0;
+
 // Returns the radius of the pen for a picture, in pixels. The lengths in named styles are made for a radius of 1, and
 // are multiplied by the result. For a style of the caller, the result is 1.
 [[nodiscard]] double pen_of(const Call& call, double width, double height);
@@ -18,6 +21,9 @@ namespace hrbfnpr::picture {
 // sized for the picture, and the caller's changes are applied last. `has_end` means that a surface ends, so its border
 // is drawn.
 [[nodiscard]] Style plan_style(const Call& call, double width, double height, bool has_end);
+
+// Returns whether a style draws hidden parts of lines, or marks as if nothing were in front of them.
+[[nodiscard]] bool draws_hidden(const Style& style) noexcept;
 
 // Plans the layers of marks that the style wants. Where the caller gives no number, the marks fill the darkest tone.
 // Notes the limits that apply, and puts painted densities and directions into the layers.

@@ -380,7 +380,7 @@ void write_paint(JsonDocument& to, const Vector<hrbfnpr_dab>& dabs) {
     };
     add(options.desc.samples > 0, "{samples}");
     add(!std::isnan(options.desc.crease_angle), "{crease}");
-    add(options.desc.parts != HRBFNPR_PARTS_OUTER, "{parts}");
+    add(options.desc.parts != HRBFNPR_PARTS_AUTO, "{parts}");
     add(options.viewpoint().has_value(), "{viewpoint}");
     add(!std::isnan(options.desc.depth_smoothing), "{depth_smoothing}");
     add(options.has(HRBFNPR_PICTURE_FLIP), "{flip!}");

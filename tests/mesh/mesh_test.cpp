@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -158,6 +159,36 @@ TEST(MakeMesh, LeavesOutNestedParts) {
     EXPECT_EQ(largest.report.left_out_components, 4);
     EXPECT_EQ(largest.faces(), 1280);
     EXPECT_EQ(largest.bounds.max.x, 1.0);
+}
+
+// A ball, a cavity in it, and a ball in the cavity, with all combinations of windings.
+TEST(MakeMesh, CavitiesFaceInwardWhateverTheirWinding) {
+    const auto volume = [](double radius) { return 4.0 / 3.0 * pi * radius * radius * radius; };
+    for (unsigned windings = 0; windings < 8; ++windings)
+        for (const Parts parts : {Parts::all, Parts::solids}) {
+            Triangles nested;
+            unsigned number = 0;
+            for (const double radius : {1.0, 0.6, 0.3}) {
+                const Triangles ball = icosphere(4).moved(radius, 0, 0, 0);
+                nested = nested.with((windings >> number++ & 1U) != 0 ? ball.turned() : ball);
+            }
+            const Mesh mesh = made(runtime(), nested, parts);
+            EXPECT_EQ(mesh.report.cavities, 1) << windings;
+            EXPECT_EQ(mesh.report.nested_components, 2) << windings;
+            EXPECT_EQ(mesh.report.left_out_components, 0) << windings;
+            EXPECT_EQ(mesh.report.turned_components, std::popcount(windings ^ 2U)) << windings;
+            EXPECT_NEAR(mesh.report.volume, volume(1.0) - volume(0.6) + volume(0.3), 0.03) << windings;
+        }
+}
+
+TEST(MakeMesh, OpenPartsInsideOthersAreNoSolids) {
+    const Triangles from =
+        icosphere(4).with(icosphere(4).moved(0.5, 0, 0, 0).where([](double, double, double z) { return z < 0.0; }));
+    EXPECT_EQ(made(runtime(), from, Parts::all).report.left_out_components, 0);
+    const Mesh solids = made(runtime(), from, Parts::solids);
+    EXPECT_EQ(solids.report.left_out_components, 1);
+    EXPECT_EQ(solids.report.cavities, 0);
+    EXPECT_TRUE(solids.report.closed);
 }
 
 // A ball of radius 1. Its faces are stored column by column, each column from the upper pole down.

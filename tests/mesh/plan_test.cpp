@@ -31,8 +31,17 @@ TEST(Plan, TurnsInsideOutParts) {
     component.volume = -1.0;
     EXPECT_TRUE(mesh::is_turned(component, Parts::all, Faces::turn));
     EXPECT_FALSE(mesh::is_turned(component, Parts::all, Faces::keep));
-    component.nested = true; // a cavity
+    component.around = 1; // a cavity
     EXPECT_FALSE(mesh::is_turned(component, Parts::all, Faces::turn));
+    component.volume = 1.0;
+    EXPECT_TRUE(mesh::is_turned(component, Parts::all, Faces::turn));
+    EXPECT_TRUE(mesh::is_turned(component, Parts::solids, Faces::turn));
+    EXPECT_FALSE(mesh::is_turned(component, Parts::solids, Faces::keep));
+    EXPECT_FALSE(mesh::is_turned(component, Parts::outer, Faces::turn));
+    component.around = 2; // a solid in a cavity
+    EXPECT_FALSE(mesh::is_turned(component, Parts::solids, Faces::turn));
+    component.volume = -1.0;
+    EXPECT_TRUE(mesh::is_turned(component, Parts::solids, Faces::turn));
     EXPECT_TRUE(mesh::is_turned(component, Parts::outer, Faces::turn));
     component.closed = false;
     component.holes = 0.2;
@@ -215,9 +224,13 @@ TEST(Plan, TheFitKeepsTheWishedEdges) {
 TEST(Plan, LeavesOutPartsInsideOthersAndFarAway) {
     using mesh::Parts;
     mesh::Component nested;
-    nested.nested = true;
+    nested.around = 1;
     EXPECT_FALSE(mesh::is_kept(nested, false, Parts::outer));
     EXPECT_TRUE(mesh::is_kept(nested, false, Parts::all));
+    EXPECT_TRUE(mesh::is_kept(nested, false, Parts::solids));
+    EXPECT_FALSE(mesh::is_kept(nested, false, Parts::automatic));
+    nested.closed = false;
+    EXPECT_FALSE(mesh::is_kept(nested, false, Parts::solids));
     EXPECT_FALSE(mesh::is_kept({}, false, Parts::largest));
     EXPECT_TRUE(mesh::is_kept(nested, true, Parts::largest));
     EXPECT_TRUE(mesh::is_kept({}, false, Parts::outer));

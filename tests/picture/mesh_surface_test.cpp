@@ -196,6 +196,47 @@ TEST_F(MeshSurface, LeavesOutTinyDistantParts) {
     EXPECT_THAT(stages()[0], HasSubstr("1 part, closed"));
 }
 
+// Returns whether places are inside the surface.
+std::vector<bool> are_inside(const Surface& surface, std::initializer_list<glm::dvec3> places, Pool& pool) {
+    const Points points(places, &pool);
+    Vector<double> value(points.size(), 0.0, &pool);
+    const hrbfnpr_array at = view_of(points);
+    const hrbfnpr_array_out out{value.data(), at.count, 0, HRBFNPR_SCALAR_FLOAT64, 1};
+    picture::call([&](hrbfnpr_error* error) {
+        return hrbfnpr_model_evaluate(surface.model.get(), &at, &out, nullptr, nullptr, nullptr, error);
+    });
+    std::vector<bool> inside;
+    for (const double f : value) inside.push_back(f < 0.0);
+    return inside;
+}
+
+// A box with two cavities, one of which is wound the wrong way and holds a solid, beside a box without cavities.
+TEST_F(MeshSurface, KeepsCavitiesWhereHiddenLinesOrASectionShowThem) {
+    const auto cube = [](double half, double x) { return test::box(half, half, half, 1).moved(1.0, x, 0, 0); };
+    const test::Triangles from = test::box(3, 1, 1, 1)
+                                     .with(cube(0.6, -1.5))
+                                     .with(cube(0.25, -1.5).turned())
+                                     .with(cube(0.6, 1.5).turned())
+                                     .with(cube(1.0, 6.0));
+    const std::initializer_list<glm::dvec3> places{{0, 0, 0}, {-1.9, 0, 0}, {-1.5, 0, 0}, {1.5, 0, 0}, {6, 0, 0}};
+    const auto inside = [&] { return are_inside(surfaces(from)[0], places, planned.pool); };
+    EXPECT_THAT(inside(), ElementsAre(true, true, true, true, true));
+    EXPECT_THAT(notes(), Contains(HasSubstr("3 parts inside others left out (36 faces)")));
+    planned.desc.preset = HRBFNPR_PRESET_BLUEPRINT;
+    EXPECT_THAT(inside(), ElementsAre(true, false, true, false, true));
+    EXPECT_THAT(notes(), Not(Contains(HasSubstr("left out"))));
+    EXPECT_EQ(stages()[0], "1: 5 parts, 2 cavities, closed");
+    planned.desc.parts = HRBFNPR_PARTS_OUTER;
+    EXPECT_THAT(inside(), ElementsAre(true, true, true, true, true));
+    planned.desc.parts = HRBFNPR_PARTS_AUTO;
+    planned.desc.preset = HRBFNPR_PRESET_CONTOUR_AND_STIPPLE;
+    planned.desc.profile = HRBFNPR_PROFILE_YES;
+    EXPECT_THAT(inside(), ElementsAre(true, false, true, false, true));
+    planned.desc.profile = HRBFNPR_PROFILE_NO;
+    planned.desc.parts = HRBFNPR_PARTS_SOLIDS;
+    EXPECT_THAT(inside(), ElementsAre(true, false, true, false, true));
+}
+
 TEST_F(MeshSurface, UsesTheGivenNumberOfSamples) {
     planned.desc.samples = 200;
     const Vector<Surface> made = surfaces(test::icosphere(3));

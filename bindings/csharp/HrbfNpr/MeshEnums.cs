@@ -13,6 +13,16 @@ namespace HrbfNpr
         All = 1,
         /// <summary>The component of the largest area.</summary>
         Largest = 2,
+        /// <summary>
+        /// All components except open ones inside a closed one.  A closed component inside an odd number of closed ones is
+        /// the wall of a cavity.
+        /// </summary>
+        Solids = 3,
+        /// <summary>
+        /// In a picture <see cref="Solids"/> if hidden parts of lines or a section are drawn, or if the picture is a surface
+        /// only; else <see cref="Outer"/>.
+        /// </summary>
+        Auto = 4,
     }
 
     /// <summary>Whether the order of a face's corners may change.</summary>

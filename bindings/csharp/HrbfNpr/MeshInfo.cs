@@ -92,7 +92,7 @@ namespace HrbfNpr
         public readonly double CreaseLength;
 
         private readonly uint creases;
-        private readonly uint reserved;
+        private readonly uint cavities;
 
         /// <summary>Whether no edge has one face or more than two, and all faces agree.</summary>
         public bool Closed
@@ -107,6 +107,12 @@ namespace HrbfNpr
         public bool Creases
         {
             get { return creases != 0; }
+        }
+
+        /// <summary>The number of kept components that are walls of cavities.</summary>
+        public int Cavities
+        {
+            get { return (int)cavities; }
         }
     }
 

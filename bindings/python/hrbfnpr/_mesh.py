@@ -56,8 +56,9 @@ class Mesh(Owner):
         The places of the vertices; coordinates up to 1e60.
     triangles : array of int, shape (m, 3)
         Numbers of vertices, from 0, counter-clockwise as seen from outside.
-    parts : {"outer", "all", "largest"}
-        Which components are kept: all except those inside a closed one; all; the one of the largest area.
+    parts : {"outer", "all", "largest", "solids"}
+        Which components are kept: all except those inside a closed one; all; the one of the largest area; all except open
+        ones inside a closed one.  With "all" and "solids", closed components inside an odd number of others are cavities.
     crease_angle : float
         Angle between the normals of two faces, in degrees, 0 to 180; faces that meet at a larger angle do not share
         corner normals.

@@ -57,6 +57,7 @@ def fit(arguments: Any, options: Options, context: Context, report: Reporter) ->
 def points(arguments: Any, options: Options, context: Context, report: Reporter) -> None:
     """Place marks on the surface and save them, as .hrbm or .ply."""
     check_saved(arguments.output, "point set", ".ply")
+    options = {"parts": "outer", **options}  # marks in cavities are hidden
     model = surface_of(arguments, options, context, report, "a point set, so its marks are placed already").model
     assert model is not None
     with report.stage("place marks", "placing marks") as stage:
