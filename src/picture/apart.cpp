@@ -195,10 +195,11 @@ PairsOfParts near_parts(const PlacesOnParts& places, std::int64_t count, double 
 
 // Places along the borders of all parts.
 struct BorderPlaces {
-    explicit BorderPlaces(Pool& pool) : on(pool), normal(&pool), weight(&pool) {}
+    explicit BorderPlaces(Pool& pool) : on(pool), normal(&pool), inward(&pool), weight(&pool) {}
 
     PlacesOnParts on;
     Points normal;         // The normal of the face at each place.
+    Points inward;         // The direction into the face, perpendicular to the border.
     Vector<double> weight; // The length of border that each place represents.
     double step = 0.0;     // The approximate distance between neighbouring places.
 };
@@ -226,12 +227,19 @@ BorderPlaces places_on_borders(const Points& points, const Vector<Triangle>& fac
     places.step = std::max(reach / 2.0, sum_in_pairs(length) / apart_tuning.places);
     for (std::size_t i = 0; i < border.size(); ++i) {
         const double count = std::max(1.0, std::ceil(length[i] / places.step));
-        const glm::dvec3 normal = unit_or_zero(doubled_area_of(points, faces[border[i].face]));
+        const Triangle& face = faces[border[i].face];
+        const glm::dvec3 normal = unit_or_zero(doubled_area_of(points, face));
+        const glm::dvec3 middle =
+            (corner_of(points, face, 0) + corner_of(points, face, 1) + corner_of(points, face, 2)) / 3.0;
+        const glm::dvec3 along = unit_or_zero(end_of(border[i], 1) - end_of(border[i], 0));
+        const glm::dvec3 in = middle - end_of(border[i], 0);
+        const glm::dvec3 inward = unit_or_zero(in - glm::dot(in, along) * along);
         for (double k = 0.0; k < count; k += 1.0) {
             const glm::dvec3& from = end_of(border[i], 0);
             places.on.place.push_back(from + (k + 0.5) / count * (end_of(border[i], 1) - from));
             places.on.part.push_back(labels.of[border[i].face]);
             places.normal.push_back(normal);
+            places.inward.push_back(inward);
             places.weight.push_back(length[i] / count);
         }
     }
@@ -255,8 +263,11 @@ void add_border_neighbours(std::span<const CellPlace> cell, const BorderPlaces& 
         for (const CellPlace& two : cell) {
             const std::int64_t other = places.on.part[two.place];
             if (other == part || other == last) continue;
-            if (!(std::abs(glm::dot(places.normal[one.place], places.normal[two.place])) > apart_tuning.seam_cosine))
-                continue;
+            const double alike = glm::dot(places.normal[one.place], places.normal[two.place]);
+            if (!(std::abs(alike) > apart_tuning.seam_cosine)) continue;
+            // The skins of a wall face away from each other, and lie on the same side of their borders. Neither of them
+            // continues the other.
+            if (alike < 0.0 && glm::dot(places.inward[one.place], places.inward[two.place]) > 0.0) continue;
             found.push_back({part, other, one.place});
             last = other;
         }

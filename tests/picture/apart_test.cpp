@@ -86,6 +86,15 @@ TEST_F(PartGroups, WallsThatMeetInOneEdgeBecomeGroups) {
     EXPECT_EQ(found->groups.size(), 3U);
 }
 
+TEST_F(PartGroups, SkinsOfAWallBecomeGroups) {
+    const test::Triangles skin = wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    const std::optional<FaceGroups> found = groups(skin.with(skin.turned().moved(1.0, 0, 0, 0.002)));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->groups.size(), 2U);
+    // A sheet that was cut and whose other half faces the other way is one surface.
+    EXPECT_FALSE(groups(skin.with(skin.turned().moved(1.0, 1.002, 0, 0))));
+}
+
 TEST_F(PartGroups, TheNumberOfGroupsIsLimited) {
     test::Triangles many = wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 4);
     for (int i = 1; i < 10; ++i) many = many.with(wall({0, 0, 0.001 * i}, {1, 0, 0}, {0, 1, 0}, 4));
