@@ -1002,6 +1002,8 @@ enum {
 
 /* The lines of one model, and its mesh. */
 typedef struct hrbfnpr_line_set hrbfnpr_line_set;
+/* A handle to triangles that have been repaired, see hrbfnpr_mesh_create.  It never changes. */
+typedef struct hrbfnpr_mesh hrbfnpr_mesh;
 
 /* How rays are cast. */
 typedef struct hrbfnpr_cast_desc {
@@ -1929,6 +1931,9 @@ typedef struct hrbfnpr_line_set_desc {
                                      chosen from them */
     hrbfnpr_array support_normals; /* normals of support_points, as many, of any length but 0; n x 3, FLOAT32 or
                                       FLOAT64; not given = normals of the surface there */
+    const hrbfnpr_mesh* mesh; /* the mesh that the model was fitted to; default NULL.  Its triangles find lines where walls
+                                 are thinner than cells.  The line set does not keep it.  Ignored with a cell_size, and
+                                 if it has edges that are not manifold or whose faces do not agree */
 } hrbfnpr_line_set_desc;
 
 /* Sets struct_size and all defaults. */
@@ -3086,9 +3091,6 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_identify(const hrbfnpr_drawing* drawi
  * place are joined; triangles without area and repeated triangles are left out; unused vertices are dropped; the faces
  * of each component are turned to agree; and a closed component that is inside out is turned as a whole.
  */
-
-/* Triangles that have been repaired. */
-typedef struct hrbfnpr_mesh hrbfnpr_mesh;
 
 /* Which components of a mesh are kept.  Faces that share vertices belong to one component.
  * With ALL and SOLIDS, a closed component inside an odd number of closed ones is the wall of a cavity, and its faces are

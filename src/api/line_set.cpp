@@ -5,6 +5,7 @@
 #include "api/checks.h"
 #include "api/descriptor.h"
 #include "api/lists.h"
+#include "api/mesh.h"
 #include "api/operation.h"
 #include "api/views.h"
 
@@ -166,6 +167,12 @@ struct SupportArrays {
     base::Array<double> points, normals;
 };
 
+// Returns the triangles of a mesh on which lines can be found.
+curves::GivenTriangles triangles_of(const mesh::Mesh& mesh) noexcept {
+    if (mesh.report.nonmanifold_edges > 0 || mesh.report.contrary_edges > 0) return {};
+    return {mesh.vertex.span(), mesh.triangle.span()};
+}
+
 hrbfnpr_line_set* create(hrbfnpr_context& context, const hrbfnpr_model& model, const hrbfnpr_line_set_desc& desc,
                          hrbfnpr_operation* operation) {
     const Checks checks("line_set_desc");
@@ -188,6 +195,7 @@ hrbfnpr_line_set* create(hrbfnpr_context& context, const hrbfnpr_model& model, c
     settings.with_shape = (desc.flags & HRBFNPR_LINE_SET_WITH_CURVATURE) != 0;
     settings.lines = requests.all();
     settings.support = support.settings(desc.support, model);
+    if (desc.mesh != nullptr && desc.cell_size == 0.0) settings.triangles = triangles_of(desc.mesh->mesh);
     return use.finish_with(make_handle<hrbfnpr_line_set>(context, model, settings, use.progress()));
 }
 

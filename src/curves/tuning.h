@@ -18,6 +18,12 @@ struct CurveTuning {
     // A seed counts as missed if no vertex of its sheet is within this distance, in sides. Larger: thin parts are
     // reported less often.
     double vertex_reach = 1.5;
+    // The middle of a halved edge of given triangles may move by at most this share of the edge's length. Larger:
+    // coarse triangles of round shapes are halved, but edges across thin walls are, too.
+    double farthest_middle = 0.4;
+    // Vertices of given triangles move off creases by this share of their distance from the middle of a face. Larger:
+    // the triangles become less even. 0: triangles beside a crease are degenerate.
+    double off_crease = 0.15;
     // The mesh extends this many sides beyond the end of the surface, if the end is known. Larger: more cells that are
     // later cut away.
     double beyond_end = 2.0;

@@ -408,17 +408,14 @@ void LineSet::make_mesh(const base::Work& work, const LineSetSettings& settings)
     for (double from = 0.2;; from = 0.5 * (1.0 + from)) {
         mesh_ = automatic ? triangulate_of_any_size(work.part(from, 0.5 * (1.0 + from)), surface_, seeds, mesh)
                           : triangulate(work.part(from, 0.5 * (1.0 + from)), surface_, seeds, mesh);
-        if (domain_ != nullptr) clip_mesh(work);
-        if (domain_ == nullptr) border_ = border_lines(work.memory, *mesh_);
+        cut_mesh(work);
         // Where walls are thinner than the cells, creases cut very many triangles. With smaller cells, fewer are cut.
         const bool last_one =
             !automatic || 4 * mesh_->triangles() > feature_tuning.most_triangles_of_finer || mesh.side >= last;
         const bool missed = mesh_->missed_seeds > 0;
         if (surface_.sheets() != nullptr && (last_one || !missed)) split_mesh(work);
-        const bool many = 4 * mesh_->triangles() > feature_tuning.most_triangles_of_finer;
-        const double turned = static_cast<double>(mesh_->turned) / static_cast<double>(mesh_->triangles());
-        const bool thin = missed || turned > (many ? feature_tuning.torn_share : feature_tuning.turned_share);
-        if (last_one || !thin) break;
+        if (is_thin() && use_triangles(work, settings.triangles)) break;
+        if (last_one || !is_thin()) break;
         last = mesh.side;
         mesh.side *= 0.5;
     }
@@ -431,6 +428,50 @@ void LineSet::make_mesh(const base::Work& work, const LineSetSettings& settings)
         fail(Status::not_converged, "no surface was found for the lines, because f has no zero near the seeds; give "
                                     "seed_points on the surface");
     sheets_.emplace(work, *mesh_);
+}
+
+bool LineSet::is_thin() const noexcept {
+    const bool many = 4 * mesh_->triangles() > feature_tuning.most_triangles_of_finer;
+    const double turned = static_cast<double>(mesh_->turned) / static_cast<double>(mesh_->triangles());
+    return mesh_->missed_seeds > 0 || turned > (many ? feature_tuning.torn_share : feature_tuning.turned_share);
+}
+
+// Cuts the mesh where the surface ends, and finds its border.
+void LineSet::cut_mesh(const base::Work& work) {
+    if (domain_ != nullptr)
+        clip_mesh(work);
+    else
+        border_ = border_lines(work.memory, *mesh_);
+}
+
+bool LineSet::use_triangles(const base::Work& work, const GivenTriangles& triangles) {
+    if (triangles.empty()) return false;
+    GivenMeshSettings settings;
+    settings.region = mesh_->region;
+    settings.side = mesh_->side;
+    settings.strip = domain_ != nullptr ? feature_tuning.strip * mesh_->side : 0.0;
+    settings.triangle_limit = feature_tuning.most_triangles;
+    const auto share = [](const SurfaceMesh& mesh) {
+        return static_cast<double>(mesh.turned) / static_cast<double>(std::max<std::int64_t>(mesh.triangles(), 1));
+    };
+    SurfaceMesh of_triangles = mesh_of_triangles(work.without_progress(), surface_, triangles, settings);
+    SurfaceMesh of_cells = std::exchange(*mesh_, std::move(of_triangles));
+    SurfaceLines border = std::exchange(border_, SurfaceLines(work.memory));
+    Creases creases = std::exchange(creases_, Creases(work.memory));
+    base::List<std::unique_ptr<SheetSurface>> parts =
+        std::exchange(parts_, base::List<std::unique_ptr<SheetSurface>>(work.memory));
+    const bool border_exact = border_exact_;
+    const double left_out = left_out_;
+    cut_mesh(work);
+    if (surface_.sheets() != nullptr) split_mesh(work);
+    if (mesh_->triangles() > 0 && share(*mesh_) <= share(of_cells)) return true;
+    mesh_ = std::move(of_cells);
+    border_ = std::move(border);
+    keep_creases(std::move(creases), mesh_->side);
+    parts_ = std::move(parts);
+    border_exact_ = border_exact;
+    left_out_ = left_out;
+    return false;
 }
 
 // If no normals are given, the normals of the surface are used.
@@ -447,11 +488,16 @@ void LineSet::measure_support(const base::Work& work, const SupportSettings& set
     domain_ = &*own_domain_;
 }
 
+void LineSet::keep_creases(Creases creases, double side) {
+    creases_ = std::move(creases);
+    near_creases_.reset();
+    const Thresholds by = thresholds_of(LineKind::crease, {});
+    if (creases_.count() > 0) near_creases_.emplace(creases_.point.memory(), creases_, by.lower, side);
+}
+
 void LineSet::split_mesh(const base::Work& work) {
     SharpMesh sharp = split_at_creases(work.part(0.0, 0.0), surface_, std::move(*mesh_));
-    creases_ = trace_creases(work, surface_, sharp.creases, sharp.mesh.side);
-    const Thresholds by = thresholds_of(LineKind::crease, {});
-    if (creases_.count() > 0) near_creases_.emplace(work.memory, creases_, by.lower, sharp.mesh.side);
+    keep_creases(trace_creases(work, surface_, sharp.creases, sharp.mesh.side), sharp.mesh.side);
     parts_ = sheet_surfaces(work, surface_, sharp);
     mesh_ = std::move(sharp.mesh);
 }

@@ -5,6 +5,7 @@
 #include "base/list.h"
 #include "creases/creases.h"
 #include "curves/curves.h"
+#include "curves/given_mesh.h"
 #include "curves/mesh_edges.h"
 #include "curves/sheet_count.h"
 #include "curves/surface_mesh.h"
@@ -93,6 +94,8 @@ struct LineSetSettings {
     double side = 0.0;
     std::span<const double> seeds; // 3n packed positions near the surface; empty: found from a lattice over the bounds
     double spacing = 0.0;          // the mean spacing of the seeds; 0: unknown
+    // Triangles of the whole surface, which are used where walls are thinner than cells; may be empty.
+    GivenTriangles triangles;
     SupportSettings support;
     bool with_shape = false; // whether curvatures are measured, for lines that depend on the view and on curvatures
     std::span<const LineRequest> lines;
@@ -137,8 +140,14 @@ public:
 
 private:
     void make_mesh(const base::Work& work, const LineSetSettings& settings);
+    // Returns whether walls are thinner than the cells of the mesh.
+    [[nodiscard]] bool is_thin() const noexcept;
+    void cut_mesh(const base::Work& work);
+    // Replaces the mesh of cells by one of the given triangles, unless that resolves the surface worse.
+    [[nodiscard]] bool use_triangles(const base::Work& work, const GivenTriangles& triangles);
     void measure_support(const base::Work& work, const SupportSettings& settings);
     void split_mesh(const base::Work& work);
+    void keep_creases(Creases creases, double side);
     void clip_mesh(const base::Work& work);
     void find(const base::Work& work, const LineRequest& request);
     [[nodiscard]] SurfaceLines find_lines(const base::Work& work, const LineRequest& request) const;

@@ -105,6 +105,9 @@ struct FeatureTuning {
     double turned_share = 2e-4;
     double torn_share = 2e-2;
     std::int64_t most_triangles_of_finer = 1'200'000;
+    // The width of the strips along the border of given triangles, in sides. Larger: the border may be farther from
+    // that of the triangles.
+    double strip = 2.0;
     // Parts with fewer triangles than this are traced by one thread each. Larger: more threads wait at the end for the
     // last part.
     std::int64_t small_part = 20'000;

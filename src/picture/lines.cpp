@@ -369,6 +369,7 @@ LineSet make_lines(const Call& call, const Surface& surface, const Style& style,
 
     auto desc = defaults<hrbfnpr_line_set_desc>(hrbfnpr_line_set_desc_init);
     desc.support = support_of_lines(model, wanted);
+    desc.mesh = surface.mesh.get();
     call.options.changes.apply("line_set", desc);
     if (needs_curvature(style)) desc.flags |= HRBFNPR_LINE_SET_WITH_CURVATURE;
 

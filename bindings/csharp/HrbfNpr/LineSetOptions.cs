@@ -132,6 +132,13 @@ namespace HrbfNpr
         public ArrayView SupportNormals { get; set; }
 
         /// <summary>
+        /// The mesh that the model was fitted to; default null.  Its triangles find lines where walls are thinner than
+        /// cells.  The line set does not keep it.  Ignored with a <see cref="CellSize"/>, and if it has edges that are not
+        /// manifold or whose faces do not agree.
+        /// </summary>
+        public TriangleMesh Mesh { get; set; }
+
+        /// <summary>
         /// Whether to measure curvatures and their derivatives, which suggestive contours, apparent ridges and
         /// isophotes need; default false.
         /// </summary>
@@ -140,7 +147,7 @@ namespace HrbfNpr
         /// <summary>Lines to find once; default empty.  Contours and borders need no element.</summary>
         public IList<LineOptions> Lines { get; } = new List<LineOptions>();
 
-        internal unsafe void Write(hrbfnpr_line_set_desc* desc, Pins pins)
+        internal unsafe void Write(hrbfnpr_line_set_desc* desc, Pins pins, HeldHandles held)
         {
             Errors.Check(NativeMethods.hrbfnpr_line_set_desc_init(desc, (uint)sizeof(hrbfnpr_line_set_desc)));
             desc->flags = WithCurvature ? 1u : 0;
@@ -149,6 +156,10 @@ namespace HrbfNpr
             desc->support = Support;
             desc->support_points = SupportPoints.ToNative(pins, 3, nameof(SupportPoints));
             desc->support_normals = SupportNormals.ToNative(pins, 3, nameof(SupportNormals));
+            if (Mesh != null)
+            {
+                desc->mesh = held.Hold(Mesh.Handle);
+            }
             if (Lines.Count == 0)
             {
                 return;

@@ -22,10 +22,11 @@ namespace HrbfNpr
         {
             context = Context.Resolve(context);
             using (var pins = new Pins())
+            using (var held = new HeldHandles())
             using (var call = new LongCall(context.Handle, progress, cancellationToken))
             {
                 hrbfnpr_line_set_desc desc;
-                (options ?? new LineSetOptions()).Write(&desc, pins);
+                (options ?? new LineSetOptions()).Write(&desc, pins, held);
                 hrbfnpr_error error = Errors.New();
                 var made = new LineSetHandle();
                 int status = NativeMethods.hrbfnpr_line_set_create(

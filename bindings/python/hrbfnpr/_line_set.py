@@ -15,6 +15,7 @@ from ._operation import Operation, Progress, make
 from ._records import LinesFields, fill, get
 
 if TYPE_CHECKING:
+    from ._mesh import Mesh
     from ._records import LineSetInfo
 
 
@@ -65,6 +66,9 @@ class LineSet(Owner):
         The samples for `support`; None: the centres of the model.  All points of a scan show better where it ends.
     support_normals : array of float, shape (n, 3), optional
         Normals of `support_points`, of any length except 0; None: the normals of the surface there.
+    mesh : Mesh, optional
+        The mesh that the model was fitted to.  Its triangles find lines where walls are thinner than cells.  Ignored with a
+        `cell_size`, and if it has edges that are not manifold or whose faces do not agree.
     progress, operation, context
         As in `Model.fit`.
 
@@ -96,6 +100,7 @@ class LineSet(Owner):
         support: float = 0.0,
         support_points: Optional[Array] = None,
         support_normals: Optional[Array] = None,
+        mesh: Optional[Mesh] = None,
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
         context: Optional[Context] = None,
@@ -110,6 +115,8 @@ class LineSet(Owner):
         desc.cell_size = cell_size
         desc.flags = lib.HRBFNPR_LINE_SET_WITH_CURVATURE if with_curvature else 0
         desc.support = support
+        if mesh is not None:
+            desc.mesh = mesh._handle
         for name, points in (
             ("seed_points", seed_points), ("support_points", support_points), ("support_normals", support_normals)
         ):  # fmt: skip
