@@ -26,9 +26,10 @@ double length_of_outline(const Outline& outline, std::size_t from) noexcept {
 struct GrowingOutline {
     Outline points;
     double length;
+    double share; // Ends meet if their distance is at most this share of the length.
 
     [[nodiscard]] bool meets(const glm::dvec2& a, const glm::dvec2& b) const noexcept {
-        const double least = std::max(cut_faces_tuning.closed * length, cut_faces_tuning.rounding);
+        const double least = std::max(share * length, cut_faces_tuning.rounding);
         return glm::length(a - b) <= least && points.size() > 1;
     }
     [[nodiscard]] bool is_closed() const noexcept { return meets(points.back(), points.front()); }
@@ -97,12 +98,16 @@ Vector<HatchSide> sides_of_outlines(const Vector<Outline>& outlines, Pool& pool)
 } // namespace
 
 Vector<Outline> closed_outlines(const Vector<Outline>& parts, Pool& pool) {
+    return close_outlines(parts, cut_faces_tuning.closed, pool).closed;
+}
+
+ClosedOutlines close_outlines(const Vector<Outline>& parts, double share, Pool& pool) {
     Vector<Outline> rest(&pool);
     for (const Outline& part : parts)
         if (part.size() > 1) rest.push_back(part);
-    Vector<Outline> found(&pool);
+    ClosedOutlines found{Vector<Outline>(&pool), 0};
     while (!rest.empty()) {
-        GrowingOutline outline{std::move(rest.back()), 0.0};
+        GrowingOutline outline{std::move(rest.back()), 0.0, share};
         rest.pop_back();
         outline.length = length_of_outline(outline.points, 0);
         while (!outline.is_closed() && !rest.empty()) {
@@ -112,7 +117,10 @@ Vector<Outline> closed_outlines(const Vector<Outline>& parts, Pool& pool) {
             outline.append(next, nearest.turned);
             rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(nearest.part));
         }
-        if (outline.points.size() > 3 && outline.is_closed()) found.push_back(std::move(outline.points));
+        if (outline.points.size() > 3 && outline.is_closed())
+            found.closed.push_back(std::move(outline.points));
+        else
+            ++found.open;
     }
     return found;
 }

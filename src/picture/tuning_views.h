@@ -59,6 +59,10 @@ struct SightTuning {
     std::int64_t at_once = 2000;
     // A surface is open if more than this share of it is removed by trimming. Otherwise it is the surface of a solid.
     double open = 0.01;
+    // A surface is a shell if more than this share of it is removed by trimming. Cuts of a shell are lines, and cuts of
+    // other surfaces are faces. Larger: cuts of helmets are hatched as if they were solid; smaller: cuts of scans with
+    // a hole at the base are not hatched. Set on helmets, car panels, cloth and busts.
+    double shell = 0.15;
     // A cut face hides places that are more than this behind it, in diagonals.
     double behind = 1e-3;
     // The last step of a search for a hit is longer by this factor, so that a hit at its end is found.
@@ -146,6 +150,9 @@ struct ViewMarksTuning {
 inline constexpr ViewMarksTuning view_marks_tuning;
 
 struct ViewsTuning {
+    // Ends of outlines of a cut are the ends of a wall if they are nearer to each other than this share of an outline's
+    // length. Larger: outlines of open sheets are closed.
+    double wall = 0.03;
     // An open outline of a cut that is shorter than this, in mm, is a ripple of the tracing, and causes no warning.
     double least_outline = 2.0;
     // A plane is a plane of symmetry if nine of ten mirrored samples are at most this far from the surface, in

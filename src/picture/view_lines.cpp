@@ -673,7 +673,7 @@ ViewLines lines_of_view(const SheetView& view, const Vector<CutPlane>& planes, c
     take_kind(found, HRBFNPR_LINE_KIND_SECTION, sections);
     Vector<PaperLine> closed(&pool);
     for (const TracedLine& line : sections) {
-        if (!is_round(line)) continue;
+        if (solid.is_shell || !is_round(line)) continue;
         PaperLine& outline = closed.emplace_back();
         for (const glm::dvec2& p : line.points) outline.push_back(p / scale);
     }

@@ -24,6 +24,7 @@ struct Solid {
     Vector<std::uint32_t> smooth; // the kinds (HRBFNPR_LINE_KIND_*) of lines that are not sharp edges
     glm::dvec3 middle;
     double diagonal = 0.0;  // above 0
+    bool is_shell = false;  // True if the object is so open that it has no inside; cuts of it are lines.
     bool is_open = false;   // True if the object is a sheet that ends, so that both of its sides may be visible.
     double lipschitz = 0.0; // for an open surface: the Lipschitz constant that rays use
 };

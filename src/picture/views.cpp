@@ -221,6 +221,7 @@ void trace_lines_of(Solid& solid, const Call& call_, const Surface& surface, con
     auto desc = defaults<hrbfnpr_line_set_desc>(hrbfnpr_line_set_desc_init);
     desc.lines = list.data();
     desc.line_count = static_cast<std::int64_t>(list.size());
+    desc.mesh = surface.mesh.get();
     const bool has_suggestive = std::find(options.smooth.begin(), options.smooth.end(),
                                           HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR) != options.smooth.end();
     if (has_suggestive) desc.flags = HRBFNPR_LINE_SET_WITH_CURVATURE;
@@ -257,6 +258,7 @@ Solid solid_of(const Call& call_, const Surface& surface, const ViewsOptions& op
     });
     const hrbfnpr_trim_info trim = trim_info_of(solid.model);
     solid.is_open = trim.is_trimmed != 0 && trim.share > sight_tuning.open;
+    solid.is_shell = solid.is_open && trim.share > sight_tuning.shell;
     if (solid.is_open)
         call([&](hrbfnpr_error* error) {
             return hrbfnpr_model_lipschitz(solid.model.get(), &solid.lipschitz, nullptr, error);
@@ -313,23 +315,34 @@ void add_lines(SheetContent& content, SheetKind kind, const Vector<PaperLine>& l
     }
 }
 
-void add_hatching(SheetContent& content, const Vector<PaperLine>& outlines, const ViewsOptions& options,
-                  const PlacedView& placed, const Call& call) {
+// Returns the outlines of the faces of a cut. Warns of outlines that enclose no face, unless the object is a shell.
+Vector<PaperLine> faces_of_cut(const Vector<PaperLine>& outlines, const Solid& solid, const PlacedView& placed,
+                               const Call& call) {
     Vector<PaperLine> closed(&call.pool);
-    std::int64_t open = 0;
+    Vector<PaperLine> ended(&call.pool);
     for (const PaperLine& outline : outlines) {
-        if (outline.front() == outline.back())
+        if (outline.front() != outline.back()) {
+            if (length_of_line(outline) > views_tuning.least_outline)
+                ended.emplace_back(outline.begin(), outline.end());
+        } else if (!solid.is_shell) {
             closed.emplace_back(outline.begin(), outline.end());
-        else if (length_of_line(outline) > views_tuning.least_outline)
-            ++open;
+        }
     }
-    if (open > 0)
+    ClosedOutlines walls = close_outlines(ended, views_tuning.wall, call.pool);
+    for (PaperLine& outline : walls.closed) closed.push_back(std::move(outline));
+    const std::int64_t open = walls.open;
+    if (open > 0 && !solid.is_shell)
         call.report.warn(HRBFNPR_NOTE_SECTION_OPEN, {static_cast<double>(open)},
                          formatted(call.pool, "section %s: %s of the cut not closed, so not hatched",
                                    short_name(placed.view.name, call.pool).c_str(),
                                    count_of(open, "outline", call.pool).c_str()),
                          {.detail = "The model is open there, or the plane lies in one of its faces."});
-    for (const Segment& segment : hatched(closed, options.hatch_spacing, call.pool))
+    return closed;
+}
+
+void add_hatching(SheetContent& content, const Vector<PaperLine>& outlines, const ViewsOptions& options,
+                  const PlacedView& placed, const Call& call) {
+    for (const Segment& segment : hatched(outlines, options.hatch_spacing, call.pool))
         content.add(SheetKind::hatching, {segment[0] + placed.centre, segment[1] + placed.centre}, placed.view.name);
 }
 
@@ -378,7 +391,7 @@ SheetContent draw_sheet(const Call& call, const Surface& surface, const ViewsOpt
         add_lines(content, SheetKind::outlines, shown.outlines, placed);
         add_lines(content, SheetKind::hidden, shown.hidden, placed);
         add_lines(content, SheetKind::smooth, shown.smooth, placed);
-        add_hatching(content, lines.outlines, options, placed, call);
+        add_hatching(content, faces_of_cut(lines.outlines, solid, placed, call), options, placed, call);
         mark_view(content, placed, cell, plan, symmetric);
         if (i > 0) names += ", ";
         names += cell.view.name;

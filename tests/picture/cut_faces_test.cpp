@@ -58,6 +58,18 @@ TEST_F(CutFacesTest, OpenOutlinesAreLeftOut) {
     EXPECT_EQ(closed_outlines(parts, pool).size(), 1U);
 }
 
+TEST_F(CutFacesTest, SkinsOfAWallBecomeOneOutline) {
+    add({{0, 0}, {0, 10}, {10, 10}, {10, 0}}); // the outer skin of an arch
+    add({{9.5, 0}, {9.5, 9.5}, {0.5, 9.5}, {0.5, 0}});
+    add({{50, 0}, {60, 0}, {60, 10}, {50, 10}}); // a sheet whose ends are far from each other
+    EXPECT_TRUE(closed_outlines(parts, pool).empty());
+    const ClosedOutlines found = close_outlines(parts, 0.03, pool);
+    ASSERT_EQ(found.closed.size(), 1U);
+    EXPECT_EQ(found.open, 1);
+    parts = found.closed;
+    EXPECT_NEAR(length(0.1) * 0.1, 10.0 * 10.0 - 9.5 * 9.0, 0.5);
+}
+
 TEST_F(CutFacesTest, LinesRiseToTheRightInsideAndHolesStayEmpty) {
     add_square(0, 100);
     const double period = 0.5;

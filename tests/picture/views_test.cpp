@@ -4,12 +4,14 @@
 #include "picture/tuning_views.h"
 #include "picture/view_lines.h"
 #include "planned_call.h"
+#include "support/half_samples.h"
 #include "support/samples.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace picture_tests::views_test {
 namespace {
@@ -25,15 +27,19 @@ protected:
     ViewsTest() {
         static_cast<void>(planned.call());
         const test::Samples samples = test::sphere(200);
-        auto fit = picture::defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
-        fit.points = {samples.points.data(), samples.count(), 0, HRBFNPR_SCALAR_FLOAT64, 3};
-        fit.normals = {samples.normals.data(), samples.count(), 0, HRBFNPR_SCALAR_FLOAT64, 3};
-        surface.model = make<picture::Model>([&](hrbfnpr_model** made, hrbfnpr_error* error) {
-            return hrbfnpr_model_fit(planned.context.get(), &fit, nullptr, made, error);
-        });
+        surface.model = fitted(samples.points, samples.normals);
         desc.views = "front,top";
         desc.model = "ball.ply";
         desc.unit_mm = 20.0;
+    }
+    [[nodiscard]] picture::Model fitted(const std::vector<double>& points, const std::vector<double>& normals) {
+        const auto count = static_cast<std::int64_t>(points.size() / 3);
+        auto fit = picture::defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
+        fit.points = {points.data(), count, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+        fit.normals = {normals.data(), count, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+        return make<picture::Model>([&](hrbfnpr_model** made, hrbfnpr_error* error) {
+            return hrbfnpr_model_fit(planned.context.get(), &fit, nullptr, made, error);
+        });
     }
     std::string written() {
         std::string bytes;
@@ -85,6 +91,18 @@ TEST_F(ViewsTest, ASheetHasItsViewsInLayers) {
     EXPECT_THAT(std::string(planned.report->stages[0].says), HasSubstr("0 sharp edges of the mesh on "));
     EXPECT_EQ(planned.report->stages[1].says, "front, top, A-A");
     EXPECT_EQ(written(), sheet);
+}
+
+// A bowl without thickness has no inside. Its cuts are an open and a closed line.
+TEST_F(ViewsTest, CutsOfAShellAreLines) {
+    const test::PartSamples bowl = test::sphere_cap(600, 0.0);
+    surface.model = fitted(bowl.points, bowl.normals);
+    desc.sections = "x:0;z:0.5";
+    const std::string sheet = written();
+    EXPECT_THAT(sheet, HasSubstr("outlines A-A"));
+    EXPECT_THAT(sheet, HasSubstr("outlines B-B"));
+    EXPECT_THAT(sheet, Not(HasSubstr("hatching")));
+    for (const Note& note : planned.report->notes) EXPECT_NE(note.code, HRBFNPR_NOTE_SECTION_OPEN);
 }
 
 TEST_F(ViewsTest, UnitsAndTitlesAreApplied) {
