@@ -74,6 +74,7 @@ GROUPS = {
                "ridges, valleys, apparent, parabolic, isophotes, section, border, crease, shadow, terminator, soft, or none; "
                "section=z:20 sets planes, isophotes=0.3:0.6 sets levels (default: from the style)"),  # fmt: skip
         choice("hidden", "style.lines.hidden", "how the hidden parts of lines are drawn (default: from the style)"),
+        flag("verify", "flags.VERIFY", "compare all lines with rays, repair wrong pieces, and say how many agree"),
         number("support", "line_set.support", "S", "where an open surface ends beyond its samples: 1.5 near them, 3 "
                "farther out, 0 nowhere (default: 3 with border lines, else 0)"),  # fmt: skip
         number("line_width", "line_width", "PIXELS", "width of contours in pixels; other lines are finer (default: "

@@ -2379,7 +2379,9 @@ typedef struct hrbfnpr_style {
                                     above 0, lines that run beside others, nearer than a pen, are thinned
                                     (docs/lines.md).  With PUBLISHED it is added to the radius of the paper of back
                                     marks */
-    uint32_t reserved;
+    uint32_t verify_lines;       /* 1 or 0; default 0.  1: rays from the eye are compared with all parts of the item's
+                                    lines, and wrong parts are repaired; hrbfnpr_drawing_info has the counts
+                                    (docs/lines.md) */
 
     /* Distance and zoom. */
     double depth_min;      /* distance from the camera at which marks begin to vanish, in world units; default 0.
@@ -2874,6 +2876,11 @@ typedef struct hrbfnpr_drawing_info {
                              refined */
     int64_t line_tangles; /* cells of the image, four pixels wide or more, with so many crossings that none was used.
                              Lines run to and fro over each other there, as on a flat face seen edge-on */
+    int64_t line_pieces;    /* visible and hidden parts of lines that rays were compared with (`verify_lines`) */
+    int64_t line_agreeing;  /* parts of which all decided rays show what is drawn */
+    int64_t line_undecided; /* parts without a decided ray: they are within 0.4 pixels of an edge, in the image or in
+                               depth */
+    int64_t line_repaired;  /* parts that were divided, or drawn otherwise than counted, because rays disagreed */
 } hrbfnpr_drawing_info;
 
 /* Sets struct_size; all other fields are 0. */
@@ -3745,7 +3752,9 @@ enum {
                                           drawn by a renderer of the caller */
     HRBFNPR_PICTURE_SURFACE_ONLY = 64, /* makes the model only: chooses no camera, places no marks, looks for no
                                           lines */
-    HRBFNPR_PICTURE_IS_SOLID = 128     /* says that the source is a part of a solid, so that up is y */
+    HRBFNPR_PICTURE_IS_SOLID = 128,    /* says that the source is a part of a solid, so that up is y */
+    HRBFNPR_PICTURE_VERIFY = 256       /* compares all lines with rays, and repairs wrong parts (verify_lines of the
+                                          style); a note has the counts */
 };
 
 /* Which edges of a mesh are sharp. */
@@ -3960,7 +3969,9 @@ enum {
     HRBFNPR_NOTE_NOT_USABLE = 76,             /* a source cannot be drawn; the text says why [] */
     HRBFNPR_NOTE_NO_GROUND = 77,              /* no ground is drawn; the text says why [] */
     HRBFNPR_NOTE_PALETTE_CHOSEN = 78,         /* inks are chosen from the colours of the source [inks] */
-    HRBFNPR_NOTE_NO_SHADOWS = 79              /* borders of shadows are to be drawn, and no light casts shadows [] */
+    HRBFNPR_NOTE_NO_SHADOWS = 79,             /* borders of shadows are to be drawn, and no light casts shadows [] */
+    HRBFNPR_NOTE_LINES_VERIFIED = 95          /* rays were compared with all parts of lines [decided parts, those that
+                                                 agree, undecided parts, repaired parts] */
 };
 
 /* A note: something that was chosen, repaired, left out or measured, or that may be wrong. */
@@ -4394,8 +4405,11 @@ enum {
                                        that sees the plane as a line.  A note NO_SYMMETRY says that there is no such
                                        plane */
     HRBFNPR_VIEWS_LABELS = 2,       /* writes the name of each view above it.  Sections always have their names */
-    HRBFNPR_VIEWS_UNIT_IS_METRE = 4 /* says that the format of the source is in metres, as glTF is.  A unit_mm of 0 then
-                                       means 1000, and a note UNIT_IS_METRE says so */
+    HRBFNPR_VIEWS_UNIT_IS_METRE = 4, /* says that the format of the source is in metres, as glTF is.  A unit_mm of 0
+                                        then means 1000, and a note UNIT_IS_METRE says so */
+    HRBFNPR_VIEWS_VERIFY = 8         /* compares all drawn lines with rays, and repairs wrong pieces.
+                                        hrbfnpr_views_info, a note LINES_VERIFIED and, unless `page` has one, the page's
+                                        description have the counts */
 };
 
 /* Where views stand [ISO 5456-2]. */
@@ -4461,6 +4475,10 @@ typedef struct hrbfnpr_views_info {
     double unit_mm;      /* mm of a unit of the model, as used */
     char scale_text[64]; /* scale in words, such as "1:2" */
     char paper[64];      /* paper, such as "a3" or "297 x 210" */
+    int64_t pieces;      /* with VERIFY, drawn pieces of lines that rays were compared with */
+    int64_t agreeing;    /* pieces of which all decided rays show what is drawn */
+    int64_t undecided;   /* pieces without a decided ray: they are within 0.05 mm of an edge, in the view or in depth */
+    int64_t repaired;    /* pieces that were divided, or drawn otherwise, because rays disagreed */
 } hrbfnpr_views_info;
 
 /* Sets struct_size; all other fields are 0. */
@@ -4468,7 +4486,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_views_info_init(hrbfnpr_views_info* info, uin
 
 /* Writes a sheet of views of a picture's first part, which must have a model.  A picture made with SURFACE_ONLY is
  * enough, and its model has the cavities of a mesh; others may need SOLIDS as `parts`.  `desc`, `info` and `operation`
- * may be NULL.  The picture gets stages LINES and VIEWS, and notes UNIT_IS_METRE, NO_SYMMETRY and SECTION_OPEN.
+ * may be NULL.  The picture gets stages LINES and VIEWS, and notes UNIT_IS_METRE, NO_SYMMETRY, SECTION_OPEN and
+ * LINES_VERIFIED.
  * Errors: INVALID_ARGUMENT (a picture of a point set; a text that is not understood; a plane that misses the model;
  * views that have no room on the paper at the scale: the message names a scale or paper with room), and those of
  * hrbfnpr_line_set_create, hrbfnpr_renderer_draw and hrbfnpr_page_write. */

@@ -110,6 +110,10 @@ hrbfnpr_drawing_info describe(const drawing::Drawing& from) noexcept {
     info.nanoseconds_lines = from.line_counts.nanoseconds;
     info.line_refined = from.line_counts.refined;
     info.line_tangles = from.line_counts.tangles;
+    info.line_pieces = from.line_counts.pieces;
+    info.line_agreeing = from.line_counts.agreeing;
+    info.line_undecided = from.line_counts.undecided;
+    info.line_repaired = from.line_counts.repaired;
     return info;
 }
 

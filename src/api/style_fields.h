@@ -126,7 +126,7 @@ static_assert(layer_style_fields().covers<hrbfnpr_layer_style>());
         field("splat_radius", &Given::splat_radius, &To::splat_radius, pixels),
         field("splat_overlap", &Given::splat_overlap, &To::splat_overlap, rule::Between{0.0, 1e6}),
         field("halo_width", &Given::halo_width, &To::halo_width, pixels),
-        reserved("reserved", &Given::reserved),
+        field("verify_lines", &Given::verify_lines, &To::verify_lines, rule::ZeroOrOne{}),
         field("depth_min", &Given::depth_min, &To::depth_min, rule::not_negative),
         field("depth_max", &Given::depth_max, &To::depth_max, rule::not_negative),
         field("zoom_reference", &Given::zoom_reference, &To::zoom_reference, rule::not_negative),

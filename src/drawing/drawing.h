@@ -54,6 +54,7 @@ struct Counts {
 struct LineCounts {
     std::int64_t curves = 0, cusps = 0, crossings = 0, broken = 0, refined = 0, settled = 0, contradictions = 0;
     std::int64_t tangles = 0;
+    std::int64_t pieces = 0, agreeing = 0, undecided = 0, repaired = 0; // results of verifying lines
     std::int64_t nanoseconds = 0;
 };
 

@@ -400,6 +400,25 @@ void tell_doubts(Report& report, const hrbfnpr_drawing_info& info) {
          " possibly drawn where hidden, or left out where visible");
     warn(HRBFNPR_NOTE_LINES_TANGLED, info.line_tangles, "place",
          " where many lines cross: hidden parts of lines may be wrong there");
+    tell_proof(report, {info.line_pieces, info.line_agreeing, info.line_undecided, info.line_repaired});
+}
+
+String text_of(const LineProof& proof, Pool& pool) {
+    return formatted(pool, "%lld of %lld pieces of lines agree with rays; %lld undecided, %lld repaired",
+                     static_cast<long long>(proof.agreeing), static_cast<long long>(proof.decided()),
+                     static_cast<long long>(proof.undecided), static_cast<long long>(proof.repaired));
+}
+
+void tell_proof(Report& report, const LineProof& proof) {
+    if (proof.pieces == 0) return;
+    const std::initializer_list<double> figures{
+        static_cast<double>(proof.decided()), static_cast<double>(proof.agreeing), static_cast<double>(proof.undecided),
+        static_cast<double>(proof.repaired)};
+    const String text = text_of(proof, report.pool());
+    if (proof.agreeing == proof.decided())
+        report.note(HRBFNPR_NOTE_LINES_VERIFIED, figures, text);
+    else
+        report.warn(HRBFNPR_NOTE_LINES_VERIFIED, figures, text);
 }
 
 } // namespace hrbfnpr::picture

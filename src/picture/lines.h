@@ -61,6 +61,23 @@ struct LinesOnce {
 // kept.
 [[nodiscard]] Vector<Polyline> without_facets(Vector<Polyline> creases, double diagonal);
 
+// The results of comparing the drawn pieces of lines with rays.
+struct LineProof {
+    std::int64_t pieces = 0, agreeing = 0, undecided = 0, repaired = 0;
+
+    [[nodiscard]] std::int64_t decided() const noexcept { return pieces - undecided; }
+    void add(const LineProof& other) noexcept {
+        pieces += other.pieces;
+        agreeing += other.agreeing;
+        undecided += other.undecided;
+        repaired += other.repaired;
+    }
+};
+// Returns the counts in words.
+[[nodiscard]] String text_of(const LineProof& proof, Pool& pool);
+// Tells how many pieces agree with rays. Warns if some do not. Says nothing if no piece was compared.
+void tell_proof(Report& report, const LineProof& proof);
+
 // Warns if lines in a drawing may be wrong or incomplete.
 void tell_doubts(Report& report, const hrbfnpr_drawing_info& info);
 

@@ -48,7 +48,7 @@ constexpr rule::Between any_number{-largest_number, largest_number};
 constexpr auto picture_fields() noexcept {
     using D = PictureDesc;
     return FieldTable{
-        field("flags", &D::flags, rule::Flags{2 * HRBFNPR_PICTURE_IS_SOLID - 1}),
+        field("flags", &D::flags, rule::Flags{2 * HRBFNPR_PICTURE_VERIFY - 1}),
         field("sources", &D::sources, rule::Any{}),
         field("source_count", &D::source_count, rule::Any{}),
         field("source_stride", &D::source_stride, rule::Any{}),

@@ -470,6 +470,7 @@ Style plan_style(const Call& call, double width, double height, bool has_end) {
     change_style(call, style);
     change_kinds(call, style);
     change_lines(call, style);
+    if (options.has(HRBFNPR_PICTURE_VERIFY)) style.base.verify_lines = 1;
     return style;
 }
 

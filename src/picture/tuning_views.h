@@ -70,6 +70,22 @@ struct SightTuning {
 };
 inline constexpr SightTuning sight_tuning;
 
+// Rays that prove which pieces of a view's lines are visible. Lengths are in mm on the paper.
+struct ViewProofTuning {
+    // A ray is decided if it is farther than this from the outlines of surfaces. Larger: more pieces are undecided.
+    // Smaller: the errors of lines, which are up to 0.01 mm, look like wrong pieces.
+    double margin = 0.05;
+    // Rays go to places at least this far from the ends of a piece, and at most `step` apart. Larger: faster, and short
+    // wrong pieces are missed.
+    double from_end = 0.15;
+    double step = 0.75;
+    // The way between two places that differ is halved this many times. Larger: repaired pieces end more exactly.
+    int halvings = 7;
+    // Repaired pieces are looked at again at most this many times.
+    int rounds = 3;
+};
+inline constexpr ViewProofTuning view_proof_tuning;
+
 // The priority of lines that coincide. Lengths are in mm on the paper.
 struct ViewOrderTuning {
     // Nearly parallel lines closer than this are drawn as one line. Larger: fewer double lines, and narrow gaps close.

@@ -2,6 +2,7 @@
 #include "picture/view_lines.h"
 
 #include "picture/tuning_views.h"
+#include "picture/view_verify.h"
 
 #include <array>
 #include <cstddef>
@@ -615,13 +616,15 @@ void take_kind(LinesByKind& found, std::uint32_t kind, TracedLines& to) {
     found.erase(lines);
 }
 
-void add_curves(TracedLines&& lines, int rank, double reach, bool is_smooth, ViewLines& to, Pool& pool) {
+void add_curves(TracedLines&& lines, int rank, double reach, double lift, bool is_smooth, ViewLines& to, Pool& pool) {
     for (TracedLine& line : lines) {
         ViewCurve curve(pool);
         curve.points = std::move(line.points);
         curve.hidden = std::move(line.hidden);
+        curve.places = std::move(line.places);
         curve.rank = rank;
         curve.reach = reach;
+        curve.lift = lift;
         curve.is_smooth = is_smooth;
         to.curves.push_back(std::move(curve));
     }
@@ -700,9 +703,12 @@ ViewLines lines_of_view(const SheetView& view, const Vector<CutPlane>& planes, c
                        contours.end());
     const double beside =
         std::max(view_order_tuning.reach, tuned_lines.near_edge * solid.diagonal * (scale * view.factor));
-    add_curves(std::move(creases), 1, beside, false, made, pool);
-    add_curves(std::move(contours), 2, view_order_tuning.reach, false, made, pool);
-    add_curves(std::move(smooth), 3, view_order_tuning.smooth_reach, true, made, pool);
+    const double off_edge = tuned_lines.off_edge * solid.diagonal;
+    const double off_surface = tuned_lines.off_surface * solid.diagonal;
+    add_curves(std::move(creases), 1, beside, off_edge, false, made, pool);
+    add_curves(std::move(contours), 2, view_order_tuning.reach, off_surface, false, made, pool);
+    add_curves(std::move(smooth), 3, view_order_tuning.smooth_reach, off_surface, true, made, pool);
+    if (solid.is_verified) made.proof = verify_curves(made.curves, view, plane, solid, scale, operation, pool);
     for (const TracedLine& line : sections) {
         ViewCurve curve(pool);
         curve.points.assign(line.points.begin(), line.points.end());

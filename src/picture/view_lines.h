@@ -7,6 +7,7 @@
 #pragma once
 
 #include "picture/call.h"
+#include "picture/lines.h"
 #include "picture/view_layout.h"
 #include "picture/view_order.h"
 
@@ -23,10 +24,11 @@ struct Solid {
     Vector<Points> creases;       // the sharp edges of a mesh
     Vector<std::uint32_t> smooth; // the kinds (HRBFNPR_LINE_KIND_*) of lines that are not sharp edges
     glm::dvec3 middle;
-    double diagonal = 0.0;  // above 0
-    bool is_shell = false;  // True if the object is so open that it has no inside; cuts of it are lines.
-    bool is_open = false;   // True if the object is a sheet that ends, so that both of its sides may be visible.
-    double lipschitz = 0.0; // for an open surface: the Lipschitz constant that rays use
+    double diagonal = 0.0;    // above 0
+    bool is_verified = false; // True if drawn lines are compared with rays.
+    bool is_shell = false;    // True if the object is so open that it has no inside; cuts of it are lines.
+    bool is_open = false;     // True if the object is a sheet that ends, so that both of its sides may be visible.
+    double lipschitz = 0.0;   // for an open surface: the Lipschitz constant that rays use
 };
 
 // Returns the edges of a mesh, except short ones with a free end, which are the facets of a rounded shape.
@@ -36,6 +38,7 @@ struct ViewLines {
     explicit ViewLines(Pool& pool) : curves(&pool), outlines(&pool) {}
 
     Vector<ViewCurve> curves;   // in mm from the centre of the view
+    LineProof proof;            // empty if the lines are not verified
     Vector<PaperLine> outlines; // the outlines of the section
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "picture/handles.h"
+#include "picture/lines.h"
 #include "picture/view_layout.h"
 #include "picture/view_polylines.h"
 
@@ -49,6 +50,7 @@ struct SheetContent {
 
     double line_width;         // the width of outlines in mm
     bool hidden_is_continuous; // If false, hidden lines are dashed.
+    LineProof proof;           // the results of verifying the lines of all views
     Vector<SheetLayer> layers; // in the order in which they were first used
 
     void add(SheetKind kind, std::span<const glm::dvec2> line, std::string_view view = {});

@@ -186,7 +186,8 @@ struct NextPiece {
 };
 
 // Finds the piece that continues the line at its end. Returns false without such a piece.
-bool find_next(const PaperLine& line, const Vector<PaperLine>& rest, NextPiece& next) noexcept {
+bool find_next(const PaperLine& line, const Vector<PaperLine>& rest, std::span<const glm::dvec2> barriers,
+               NextPiece& next) noexcept {
     if (line.front() == line.back()) return false;
     const glm::dvec2 way = direction_at_end(line, false);
     for (std::size_t i = 0; i < rest.size(); ++i)
@@ -195,21 +196,25 @@ bool find_next(const PaperLine& line, const Vector<PaperLine>& rest, NextPiece& 
             const double away = glm::length(gap);
             if (!(away > 0.0 && away < tuned.bridged && glm::dot(gap, way) > tuned.straight * away)) continue;
             if (!(glm::dot(-direction_at_end(rest[i], !turned), way) > tuned.straight)) continue;
+            const auto is_in_gap = [&](const glm::dvec2& barrier) {
+                return glm::length(barrier - (line.back() + 0.5 * gap)) < 0.5 * away;
+            };
+            if (std::any_of(barriers.begin(), barriers.end(), is_in_gap)) continue;
             next = {i, turned};
             return true;
         }
     return false;
 }
 
-// Joins pieces that continue each other across a short gap.
-Vector<PaperLine> bridged(Vector<PaperLine> rest, Pool& pool) {
+// Joins pieces that continue each other across a short gap without a barrier.
+Vector<PaperLine> bridged(Vector<PaperLine> rest, std::span<const glm::dvec2> barriers, Pool& pool) {
     Vector<PaperLine> found(&pool);
     while (!rest.empty()) {
         PaperLine line = std::move(rest.front());
         rest.erase(rest.begin());
         for (int turn = 0; turn < 2; ++turn) { // The line is extended at its beginning, then at its end.
             std::reverse(line.begin(), line.end());
-            for (NextPiece next{}; find_next(line, rest, next);) {
+            for (NextPiece next{}; find_next(line, rest, barriers, next);) {
                 PaperLine& part = rest[next.number];
                 if (next.turned) std::reverse(part.begin(), part.end());
                 line.insert(line.end(), part.begin(), part.end());
@@ -219,6 +224,22 @@ Vector<PaperLine> bridged(Vector<PaperLine> rest, Pool& pool) {
         found.push_back(std::move(line));
     }
     return found;
+}
+
+// Returns the middles of short parts that are sure to be hidden, or to be visible. Lines of the other state have true
+// gaps there, as before a wire.
+Vector<glm::dvec2> short_parts_of(const Vector<ViewCurve>& curves, const Vector<Vector<double>>& along,
+                                  const Vector<CurvePart>& parts, bool hidden, Pool& pool) {
+    Vector<glm::dvec2> middles(&pool);
+    for (const CurvePart& part : parts) {
+        const ViewCurve& curve = curves[part.curve];
+        if (part.hidden != hidden || curve.sure.empty() || part.end - part.begin > tuned.bridged) continue;
+        const double middle = 0.5 * (part.begin + part.end);
+        const std::size_t piece = std::min(last_not_beyond(along[part.curve], middle), curve.sure.size() - 1);
+        if (curve.sure[piece] != 0)
+            middles.push_back(interpolated<glm::dvec2>(along[part.curve], curve.points, middle));
+    }
+    return middles;
 }
 
 } // namespace
@@ -234,6 +255,7 @@ Flags steady(const ViewCurve& curve, Pool& pool) {
         if (!goes_round && (i == 0 || i + 1 == runs.size())) continue;
         const Run& run = runs[i];
         const double length = along[run.end] - along[run.begin];
+        if (!curve.sure.empty() && curve.sure[run.begin] != 0) continue;
         if (length < tuned.flicker &&
             glm::length(curve.points[run.end] - curve.points[run.begin]) > tuned.onward * length)
             std::fill(hidden.begin() + static_cast<std::ptrdiff_t>(run.begin),
@@ -271,7 +293,7 @@ ShownLines draw_in_order(const Vector<ViewCurve>& curves, bool with_hidden, Pool
                 if (end - begin >= tuned.shortest_rest)
                     found.push_back(between_lengths(curve, along[part.curve], begin, end, pool));
         }
-        found = bridged(std::move(found), pool);
+        found = bridged(std::move(found), short_parts_of(curves, along, parts, !hidden, pool), pool);
     };
     draw(shown.outlines, false, false, tuned.shortest_outline);
     if (with_hidden) draw(shown.hidden, true, false, tuned.shortest_hidden);

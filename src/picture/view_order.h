@@ -4,7 +4,7 @@
 // farther away.
 #pragma once
 
-#include "picture/memory.h"
+#include "picture/shape.h"
 #include "picture/tuning_views.h"
 #include "picture/view_polylines.h"
 
@@ -12,7 +12,7 @@ namespace hrbfnpr::picture {
 
 // A line on the paper, with at least two points.
 struct ViewCurve {
-    explicit ViewCurve(Pool& pool) : points(&pool), hidden(&pool) {}
+    explicit ViewCurve(Pool& pool) : points(&pool), hidden(&pool), places(&pool), sure(&pool) {}
 
     PaperLine points; // The curve is closed if the last point is the first.
     Flags hidden;     // true if surface hides the piece from point i to point i + 1
@@ -21,6 +21,10 @@ struct ViewCurve {
     double reach = view_order_tuning.reach;
     // True if the line is not a sharp edge. Its visible parts are drawn thin, and its hidden parts are not drawn.
     bool is_smooth = false;
+    Points places;     // the places in the model of the points; empty if they are not known
+    double lift = 0.0; // how far a place may be inside the model, in units of the model
+    // 1 if rays show that the piece from point i to point i + 1 is hidden or visible as `hidden` says; may be empty
+    Flags sure;
 };
 
 // The lines to draw.
@@ -36,7 +40,7 @@ struct ShownLines {
 // Hidden lines are drawn only if `with_hidden` is true.
 [[nodiscard]] ShownLines draw_in_order(const Vector<ViewCurve>& curves, bool with_hidden, Pool& pool);
 
-// Returns the flags of the hidden pieces after removing parts that are too short to be seen.
+// Returns the flags of the hidden pieces after removing parts that are too short to be seen, unless they are sure.
 [[nodiscard]] Flags steady(const ViewCurve& curve, Pool& pool);
 
 } // namespace hrbfnpr::picture

@@ -22,7 +22,8 @@ namespace hrbfnpr::api {
 namespace {
 
 using ViewsDesc = hrbfnpr_views_desc;
-constexpr std::uint32_t views_flags = HRBFNPR_VIEWS_CENTRE_LINES | HRBFNPR_VIEWS_LABELS | HRBFNPR_VIEWS_UNIT_IS_METRE;
+constexpr std::uint32_t views_flags =
+    HRBFNPR_VIEWS_CENTRE_LINES | HRBFNPR_VIEWS_LABELS | HRBFNPR_VIEWS_UNIT_IS_METRE | HRBFNPR_VIEWS_VERIFY;
 constexpr double longest_on_paper = 1e9; // The largest length in mm, and the largest value of other numbers.
 
 constexpr auto views_fields() noexcept {
@@ -250,6 +251,7 @@ Solid solid_of(const Call& call_, const Surface& surface, const ViewsOptions& op
     solid.model = surface.model;
     solid.middle = plan.middle;
     solid.diagonal = plan.diagonal;
+    solid.is_verified = options.verify;
     solid.smooth.assign(options.smooth.begin(), options.smooth.end());
     trace_lines_of(solid, call_, surface, options, plan);
     solid.marks = stipples_on(call_, solid.model, views_tuning.marks, nullptr);
@@ -385,6 +387,7 @@ SheetContent draw_sheet(const Call& call, const Surface& surface, const ViewsOpt
         const PlacedView placed{cell.view, scale, centre, cell.seen(scale).moved(centre),
                                 cell.box(scale).moved(centre)};
         const ViewLines lines = lines_of_view(cell.view, plan.planes, solid, scale, &part, pool);
+        content.proof.add(lines.proof);
         // Sections show only visible edges [ISO 128-3].
         const bool with_hidden = options.hidden != HiddenLines::none && !cell.view.is_section();
         const ShownLines shown = draw_in_order(lines.curves, with_hidden, pool);
@@ -417,7 +420,8 @@ String upper_case(std::string_view text, Pool& pool) {
 void write_sheet(const Call& call_, const SheetContent& content, const SheetPlan& plan, const String& title,
                  const ViewsOptions& options, hrbfnpr_write_fn write, void* user, hrbfnpr_page_info& info) {
     const SheetAnnotations made = annotations_of(content, call_.pool);
-    const String description = formatted(call_.pool, "Drawn by hrbfnpr %s", hrbfnpr_version_string());
+    String description = formatted(call_.pool, "Drawn by hrbfnpr %s", hrbfnpr_version_string());
+    if (content.proof.pieces > 0) description += "; " + text_of(content.proof, call_.pool);
     hrbfnpr_page_desc page = options.page;
     page.width = plan.layout.page.width;
     page.height = plan.layout.page.height;
@@ -452,6 +456,7 @@ ViewsOptions read_views(const hrbfnpr_views_desc& desc, const Report& report) {
     options.centre_lines = has(HRBFNPR_VIEWS_CENTRE_LINES);
     options.labels = has(HRBFNPR_VIEWS_LABELS);
     options.unit_is_metre = has(HRBFNPR_VIEWS_UNIT_IS_METRE);
+    options.verify = has(HRBFNPR_VIEWS_VERIFY);
     options.paper = parse_paper(views_text(desc.paper, "paper", "auto"), report);
     options.scale = parse_scale(views_text(desc.scale, "scale", "auto"), report);
     if (desc.unit_mm > 0.0) options.unit_mm = desc.unit_mm;
@@ -492,7 +497,12 @@ void write_views(const Call& call, const Surface& surface, const glm::dvec3& up,
     auto written = defaults<hrbfnpr_page_info>(hrbfnpr_page_info_init);
     write_sheet(call, content, plan, title, options, write, user, written);
 
+    tell_proof(call.report, content.proof);
     info = hrbfnpr_views_info{};
+    info.pieces = content.proof.pieces;
+    info.agreeing = content.proof.agreeing;
+    info.undecided = content.proof.undecided;
+    info.repaired = content.proof.repaired;
     info.struct_size = sizeof info;
     info.views = static_cast<std::int64_t>(plan.cells.size());
     info.bytes = written.bytes;

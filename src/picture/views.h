@@ -31,6 +31,7 @@ struct ViewsOptions {
     HiddenLines hidden = HiddenLines::dashed;
     bool centre_lines = false;
     bool labels = false;
+    bool verify = false;
     bool unit_is_metre = false;      // True if a unit of the source is a metre. It is ignored if unit_mm is given.
     std::optional<SheetPage> paper;  // If empty, a paper that fits is chosen.
     std::optional<SheetScale> scale; // If empty, the largest scale that fits is chosen.

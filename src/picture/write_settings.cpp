@@ -19,7 +19,8 @@ namespace {
 // The order in which the fields of a style are written, separated by spaces. It differs from the order in the header.
 constexpr std::string_view style_order =
     "hidden_lines visibility silhouette_threshold attenuation_front attenuation_back "
-    "splat_radius halo_width splat_overlap tone_rule tone_curve evenness tone_fade light_space tone_exponent "
+    "splat_radius halo_width verify_lines splat_overlap tone_rule tone_curve evenness tone_fade light_space "
+    "tone_exponent "
     "fill_light "
     "depth_min depth_max zoom_reference zoom_exponent paper silhouette_ink silhouette_radius silhouette_radius_zoom "
     "light light_intensity light_shadow light_softness ambient_up ambient_sky ambient_ground occlusion "

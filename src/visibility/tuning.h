@@ -100,4 +100,38 @@ struct VisibilityTuning {
 };
 inline constexpr VisibilityTuning visibility_tuning;
 
+// Rays that prove what is visible. `scripts/bench technical` measures their effects.
+struct SightTuning {
+    // A step of a ray is this share of the distance from the surface, as |f| / |grad f| estimates it. Larger: fewer
+    // evaluations, and surfaces between two steps may be missed.
+    double step_share = 0.6;
+    // The shortest and the longest step, in diagonals of the surface. Larger `least_step`: fewer evaluations beside a
+    // surface. Larger `longest_step`: thin parts may be missed where |grad f| is small.
+    double least_step = 1.0 / 4096.0;
+    double longest_step = 1.0 / 48.0;
+    // A ray with more steps than this is undecided.
+    int most_steps = 2000;
+    // A bracket is narrowed until it is shorter than this, in diagonals, and at most this many times.
+    double root_tolerance = 1e-6;
+    int most_halvings = 40;
+    // A ray is in contact with the surface at its place up to this distance from it, in margins. Larger: places may be
+    // farther off their surface. Smaller: their own surface may hide them.
+    double contact = 0.25;
+    // A place is moved out of its own solid by at most this many steps.
+    int most_lifts = 4;
+    // A contact that is longer than `long_contact`, in margins, is doubtful if the ray then leaves the surface so
+    // steeply that the sine of the angle times the length of the contact is above `sudden`, in distances of contact. On
+    // a smooth surface this is 2. Larger: places on faces that are seen edge-on are decided.
+    double long_contact = 4.0;
+    double sudden = 12.0;
+    // Two roots are those of a wall if the cosine of the normals is below `opposite` and the sines of the angles
+    // between ray and surface are above `steep`. Then the ray passes through it, even if the wall is thinner than the
+    // margin.
+    double opposite = -0.7;
+    double steep = 0.25;
+    // The number of rays that are cast together.
+    std::int64_t rays_a_task = 64;
+};
+inline constexpr SightTuning sight_tuning;
+
 } // namespace hrbfnpr::visibility

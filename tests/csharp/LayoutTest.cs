@@ -196,12 +196,14 @@ namespace HrbfNpr.Tests
                     Flag("PICTURE_KEEP_MARKS", new PictureOptions { KeepMarks = true }),
                     Flag("PICTURE_SURFACE_ONLY", new PictureOptions { SurfaceOnly = true }),
                     Flag("PICTURE_IS_SOLID", new PictureOptions { IsSolid = true }),
+                    Flag("PICTURE_VERIFY", new PictureOptions { Verify = true }),
                     Flag("SOURCE_HAS_SHARP_EDGES", source => source.SharpEdges = new int[0]),
                     Flag("SOURCE_HAS_VIEWPOINT", source => source.Viewpoint = (0, 0, 0)),
                     Flag("SOURCE_IS_PHOTO", source => source.IsPhoto = true),
                     Flag("VIEWS_CENTRE_LINES", new ViewsOptions { CentreLines = true }),
                     Flag("VIEWS_LABELS", new ViewsOptions { Labels = true }),
                     Flag("VIEWS_UNIT_IS_METRE", new ViewsOptions { UnitIsMetre = true }),
+                    Flag("VIEWS_VERIFY", new ViewsOptions { Verify = true }),
                 };
             }
         }

@@ -116,6 +116,22 @@ namespace HrbfNpr
         /// run to and fro over each other there, as on a flat face seen edge-on.
         /// </summary>
         public readonly long LineTangles;
+
+        /// <summary>
+        /// Number of visible and hidden parts of lines that rays were compared with (<see cref="Style.VerifyLines"/>).
+        /// </summary>
+        public readonly long LinePieces;
+
+        /// <summary>Number of these parts of which all decided rays show what is drawn.</summary>
+        public readonly long LineAgreeing;
+
+        /// <summary>
+        /// Number of these parts without a decided ray: they are within 0.4 pixels of an edge, in the image or in depth.
+        /// </summary>
+        public readonly long LineUndecided;
+
+        /// <summary>Number of parts that were divided, or drawn otherwise than counted, because rays disagreed.</summary>
+        public readonly long LineRepaired;
     }
 
     /// <summary>A layer of a drawing: the ink of one layer of marks, or of lines of an item.</summary>

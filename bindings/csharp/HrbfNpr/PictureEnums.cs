@@ -354,6 +354,10 @@ namespace HrbfNpr
         PaletteChosen = 78,
         /// <summary>Borders of shadows are to be drawn, and no light casts shadows.</summary>
         NoShadows = 79,
+        /// <summary>
+        /// Rays were compared with all parts of lines [decided parts, those that agree, undecided parts, repaired parts].
+        /// </summary>
+        LinesVerified = 95,
     }
 
     /// <summary>Where views stand [ISO 5456-2].</summary>

@@ -107,6 +107,20 @@ namespace HrbfNpr
         private fixed byte scaleText[64];
         private fixed byte paper[64];
 
+        /// <summary>Number of drawn pieces of lines that rays were compared with (<see cref="ViewsOptions.Verify"/>).</summary>
+        public readonly long Pieces;
+
+        /// <summary>Number of pieces of which all decided rays show what is drawn.</summary>
+        public readonly long Agreeing;
+
+        /// <summary>
+        /// Number of pieces without a decided ray: they are within 0.05 mm of an edge, in the view or in depth.
+        /// </summary>
+        public readonly long Undecided;
+
+        /// <summary>Number of pieces that were divided, or drawn otherwise, because rays disagreed.</summary>
+        public readonly long Repaired;
+
         /// <summary>Scale in words, such as "1:2".</summary>
         public string ScaleText
         {

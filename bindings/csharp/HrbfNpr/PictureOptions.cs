@@ -337,6 +337,12 @@ namespace HrbfNpr
         public bool IsSolid { get; set; }
 
         /// <summary>
+        /// Whether rays are compared with all lines, so that wrong parts are repaired; a note has the counts; default
+        /// false.
+        /// </summary>
+        public bool Verify { get; set; }
+
+        /// <summary>
         /// Receives events while the picture is made, and later while it is drawn or written, on the thread that made
         /// the call; default null.  If it throws, the call is cancelled and throws a <see cref="CallbackException"/>.
         /// </summary>
@@ -374,7 +380,8 @@ namespace HrbfNpr
         internal unsafe void Write(ref hrbfnpr_picture_desc desc, Pins pins)
         {
             desc.flags = (AllowBlank ? 1u : 0) | (Flip ? 2u : 0) | (Close ? 4u : 0) | (Together ? 8u : 0)
-                | (Transparent ? 16u : 0) | (KeepMarks ? 32u : 0) | (SurfaceOnly ? 64u : 0) | (IsSolid ? 128u : 0);
+                | (Transparent ? 16u : 0) | (KeepMarks ? 32u : 0) | (SurfaceOnly ? 64u : 0) | (IsSolid ? 128u : 0)
+                | (Verify ? 256u : 0);
             desc.preset = unchecked((uint)Preset);
             desc.wording = (uint)Wording;
             desc.style_name = pins.Text(StyleName);

@@ -59,6 +59,12 @@ namespace HrbfNpr
         /// </summary>
         public bool UnitIsMetre { get; set; }
 
+        /// <summary>
+        /// Whether rays are compared with all drawn lines, so that wrong pieces are repaired; default false.
+        /// <see cref="ViewsInfo"/> and the description of the page have the counts.
+        /// </summary>
+        public bool Verify { get; set; }
+
         /// <summary>Where views stand; default First.</summary>
         public ProjectionAngle Projection { get; set; }
 
@@ -138,7 +144,8 @@ namespace HrbfNpr
         internal unsafe void Write(hrbfnpr_views_desc* desc, Pins pins)
         {
             Errors.Check(NativeMethods.hrbfnpr_views_desc_init(desc, (uint)sizeof(hrbfnpr_views_desc)));
-            desc->flags = (CentreLines ? 1u : 0) | (Labels ? 2u : 0) | (UnitIsMetre ? 4u : 0);
+            desc->flags = (CentreLines ? 1u : 0) | (Labels ? 2u : 0) | (UnitIsMetre ? 4u : 0)
+                | (Verify ? 8u : 0);
             desc->projection = (uint)Projection;
             desc->hidden = (uint)Hidden;
             desc->views = pins.Text(Views);

@@ -176,6 +176,12 @@ namespace HrbfNpr
         public float HaloWidth { get; set; }
 
         /// <summary>
+        /// Whether rays from the eye are compared with all parts of the item's lines, so that wrong parts are repaired;
+        /// default false.  <see cref="DrawingInfo"/> has the counts.
+        /// </summary>
+        public bool VerifyLines { get; set; }
+
+        /// <summary>
         /// Number n of splats that overlap in a depth layer, whose opacity is 1 - (1 - alpha)^n; 0 to 1e6; default 8; 0
         /// = each mark paints with alpha itself, as published.  Larger: hidden ink is paler.
         /// </summary>
@@ -417,6 +423,7 @@ namespace HrbfNpr
             style->attenuation_back = AttenuationBack;
             style->splat_radius = SplatRadius;
             style->halo_width = HaloWidth;
+            style->verify_lines = VerifyLines ? 1u : 0;
             style->splat_overlap = SplatOverlap;
             style->tone = (uint)Tone;
             style->tone_rule = (uint)ToneRule;
@@ -462,6 +469,7 @@ namespace HrbfNpr
             AttenuationBack = style->attenuation_back;
             SplatRadius = style->splat_radius;
             HaloWidth = style->halo_width;
+            VerifyLines = style->verify_lines != 0;
             SplatOverlap = style->splat_overlap;
             Tone = (Tone)style->tone;
             ToneRule = (ToneRule)style->tone_rule;

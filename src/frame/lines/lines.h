@@ -65,6 +65,31 @@ struct LineInput {
     [[nodiscard]] double total(std::int64_t l) const noexcept { return lengths.total(line(l)); }
 };
 
+// A part of a line that is hidden by the same number of surface layers everywhere.
+struct LinePart {
+    visibility::Interval interval; // The interval of the line. Its member `sheets` is not used.
+    std::int32_t layers;           // The number of surface layers that hide it. Each layer is two sheets.
+    // True if no other part continues at the end, as at cusps and at the ends of open lines.
+    bool free_begin, free_end;
+};
+
+// A place along a line.
+struct StrokePlace {
+    double at; // distance along the line, in pixels
+    std::int32_t piece;
+    double share;
+};
+
+// Returns a place along a line. On a closed line, `at` may be beyond the end of the line.
+[[nodiscard]] StrokePlace place_along(const LineInput& in, std::int32_t line, double at) noexcept;
+
+// Compares all parts of the wanted subjects with rays from the eye, and returns the parts as the rays show them. Adds
+// the numbers of parts that agree, are undecided and were repaired to the counts. `wanted` is 1 for each subject to
+// verify. The parts must have the order of their lines, and of their places along them.
+[[nodiscard]] base::Array<LinePart> verify_parts(const base::Work& work, const LineInput& in,
+                                                 base::Array<LinePart> parts, std::span<const std::uint8_t> wanted,
+                                                 drawing::LineCounts& counts);
+
 // The depths between which `far_factor` changes the widths of lines.
 struct DepthRange {
     double nearest = 0.0;
@@ -92,8 +117,8 @@ struct ShareRange {
 // `layers` are those of the drawing.
 void thin_lines_beside_others(const LineInput& in, std::span<const drawing::Layer> layers, LineStrokes& strokes);
 
-// Adds the strokes of all lines. Throws Error{callback, out_of_memory}.
-void add_strokes(const LineInput& in, const drawing::Drawing& drawing, const base::Progress& progress,
-                 LineStrokes& strokes);
+// Adds the strokes of all lines. Verifies the lines whose styles want it, and adds their counts to the drawing. Throws
+// Error{callback, out_of_memory}.
+void add_strokes(const LineInput& in, drawing::Drawing& drawing, const base::Progress& progress, LineStrokes& strokes);
 
 } // namespace hrbfnpr::frame

@@ -24,21 +24,6 @@
 namespace hrbfnpr::frame {
 namespace {
 
-// A part of a line that is hidden by the same number of surface layers everywhere.
-struct LinePart {
-    visibility::Interval interval; // The interval of the line. Its member `sheets` is not used.
-    std::int32_t layers;           // The number of surface layers that hide it. Each layer is two sheets.
-    // True if no other part continues at the end, as at cusps and at the ends of open lines.
-    bool free_begin, free_end;
-};
-
-// A place along a line.
-struct StrokePlace {
-    double at; // distance along the line, in pixels
-    std::int32_t piece;
-    double share;
-};
-
 // A part drawn in a style, with places and knots along it.
 struct PartPath {
     const DrawnSubject& drawn;
@@ -771,6 +756,14 @@ double gap_at(const StrokeInput& in, const DrawnSubject& drawn, std::int32_t lin
     return static_cast<double>(drawn.halo + 0.5F * (width_at(drawn, line, end) + near_width)) * share;
 }
 
+// Returns 1 for each subject that is drawn in a style whose lines are to be verified, else 0.
+base::Array<std::uint8_t> verified_subjects(const LineInput& in, const drawing::Drawing& drawing) {
+    base::Array<std::uint8_t> wanted(in.runtime.memory, in.found.subjects.size());
+    for (const DrawnSubject& drawn : in.traced.styles)
+        if (in.scene.items[drawing.layers[drawn.layer].item].style.verify_lines) wanted[drawn.subject] = 1;
+    return wanted;
+}
+
 // Draws a part in a style.
 void draw(const StrokeInput& in, PartPath& path, LineStrokes& out) {
     const DrawnSubject& drawn = path.drawn;
@@ -818,7 +811,7 @@ ShareRange chord_in_window(const glm::dvec2& from, const glm::dvec2& to, const g
     return shares;
 }
 
-void add_strokes(const LineInput& input, const drawing::Drawing& drawing, const base::Progress& progress,
+void add_strokes(const LineInput& input, drawing::Drawing& drawing, const base::Progress& progress,
                  LineStrokes& strokes) {
     HRBFNPR_ASSERT(input.traced.items.size() == input.traced.occluders.size());
     base::Memory& memory = input.runtime.memory;
@@ -831,16 +824,28 @@ void add_strokes(const LineInput& input, const drawing::Drawing& drawing, const 
     const StrokeInput in{input, outline};
     const base::Array<visibility::Interval>& intervals = in.found.intervals;
     base::Array<LinePart> parts(memory);
-    base::Array<StrokePlace> places(memory);
-    base::Array<double> knots(memory);
+    base::Array<LinePart> of_line(memory);
     for (std::int64_t first = 0; first < intervals.size();) {
         std::int64_t end = first;
         while (end < intervals.size() && intervals[end].line == intervals[first].line) ++end;
-        parts_of(in, first, end, hugs, goes_on, parts);
+        parts_of(in, first, end, hugs, goes_on, of_line);
+        for (const LinePart& part : of_line) parts.push_back(part);
+        first = end;
+    }
+    const base::Array<std::uint8_t> verified = verified_subjects(in, drawing);
+    if (std::any_of(verified.begin(), verified.end(), [](std::uint8_t v) { return v != 0; }))
+        parts = verify_parts({input.runtime, progress.without_progress()}, input, std::move(parts), verified.span(),
+                             drawing.line_counts);
+    base::Array<StrokePlace> places(memory);
+    base::Array<double> knots(memory);
+    for (std::int64_t first = 0; first < parts.size();) {
+        const std::int32_t line = parts[first].interval.line;
+        std::int64_t end = first;
+        while (end < parts.size() && parts[end].interval.line == line) ++end;
         for (const DrawnSubject& drawn : in.traced.styles) {
-            if (drawn.subject != in.line(intervals[first].line).subject) continue;
-            for (const LinePart& part : parts) {
-                PartPath path{drawn, part, std::move(places), std::move(knots)};
+            if (drawn.subject != in.line(line).subject) continue;
+            for (std::int64_t i = first; i < end; ++i) {
+                PartPath path{drawn, parts[i], std::move(places), std::move(knots)};
                 draw(in, path, strokes);
                 places = std::move(path.place);
                 knots = std::move(path.knot);

@@ -61,6 +61,22 @@ struct LineTuning {
     double joining_sine = 0.35;
     double full_gap_sine = 0.6;
 
+    // ---- Verification by rays
+
+    // A ray is decided if it is farther than this from the outlines of surfaces, in pixels. Larger: more places are
+    // undecided. Smaller: the errors of lines, which are up to 0.05 pixels, look like wrong parts.
+    double verified_margin = 0.4;
+    // Rays go to places at least this far from the ends of a part, in pixels, and at most this far apart. Larger: fewer
+    // rays, and short wrong pieces are missed.
+    double verified_from_end = 1.5;
+    double verified_step = 6.0;
+    // The largest number of places of a part.
+    double verified_most = 256.0;
+    // The way between two places that differ is halved this many times. Larger: repaired parts end more exactly.
+    int verified_halvings = 7;
+    // Repaired parts are looked at again at most this many times.
+    int verified_rounds = 3;
+
     // ---- Widths and places along a line
 
     // Depths are measured at up to about twice this many vertices of the surfaces. Larger: more time, and steadier

@@ -136,6 +136,7 @@ struct Style {
     LightSpace light_space = LightSpace::camera;
     ToneCurve tone_curve = ToneCurve::coverage;
     Evenness evenness = Evenness::picture;
+    bool verify_lines = false; // whether rays are compared with the parts of lines, which are then repaired
     float tone_fade = 0.25F;
     glm::dvec3 light{-0.4, 0.6, 0.7};
     double tone_exponent = 1.0;

@@ -212,6 +212,8 @@ def _add_views(parser: Parser) -> None:
     _add(group, "--spacing", values.positive, "MM", "distance between views in mm (default: 15)")
     group.add_argument("--centre-lines", action="store_true", help="draw centre lines of planes of symmetry")
     group.add_argument("--labels", action="store_true", help="write the name of each view above it, as sections always have")
+    group.add_argument("--verify", action="store_true", help="compare all lines with rays, repair wrong pieces, and say how "
+                       "many agree")  # fmt: skip
     group.add_argument("--title", metavar="TEXT", help="title in the title block (default: the file name without its ending)")
     _add_option(group, next(row for row in OPTIONS if row.name == "up"))
 

@@ -131,6 +131,7 @@ def _views_desc(arguments: Any, scene: Scene, format: str) -> Any:
     desc, page = new_struct("hrbfnpr_views_desc"), new_struct("hrbfnpr_page_desc")
     keep: List[Any] = [page]
     for flag, wanted in (("CENTRE_LINES", arguments.centre_lines), ("LABELS", arguments.labels),
+                         ("VERIFY", arguments.verify),
                          ("UNIT_IS_METRE", getattr(scene.sources[0], "format", "").startswith(("glTF", "GLB")))):  # fmt: skip
         desc.flags |= ffi.integer_const(f"HRBFNPR_VIEWS_{flag}") if wanted else 0
     desc.projection = ffi.integer_const(f"HRBFNPR_VIEWS_ANGLE_{arguments.projection.upper()}")
