@@ -133,7 +133,7 @@ hrbfnpr_status hrbfnpr_curvature_init(hrbfnpr_curvature* curvature, uint32_t str
 hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr_array* points,
     hrbfnpr_curvature* curvature, hrbfnpr_operation* operation, hrbfnpr_error* error); enum { HRBFNPR_RAY_HIT = 0,
     HRBFNPR_RAY_MISS = 1, HRBFNPR_RAY_TRUNCATED = 2, HRBFNPR_RAY_EVALUATION_LIMIT = 3, HRBFNPR_RAY_NOT_FINITE = 4 };
-typedef struct hrbfnpr_line_set hrbfnpr_line_set;
+typedef struct hrbfnpr_line_set hrbfnpr_line_set; typedef struct hrbfnpr_mesh hrbfnpr_mesh;
 typedef struct hrbfnpr_cast_desc { uint32_t struct_size; int32_t maximum_hits; int32_t evaluation_limit;
     uint32_t reserved; double t_min; double t_max; double lipschitz; double smallest_step; double tolerance;
     const hrbfnpr_line_set* line_set; uint32_t refine; uint32_t reserved2; } hrbfnpr_cast_desc;
@@ -269,7 +269,7 @@ hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_s
 enum { HRBFNPR_LINE_SET_WITH_CURVATURE = 1 };
 typedef struct hrbfnpr_line_set_desc { uint32_t struct_size; uint32_t flags; double cell_size;
     hrbfnpr_array seed_points; const hrbfnpr_line_desc* lines; int64_t line_count; int64_t line_stride; double support;
-    hrbfnpr_array support_points; hrbfnpr_array support_normals; } hrbfnpr_line_set_desc;
+    hrbfnpr_array support_points; hrbfnpr_array support_normals; const hrbfnpr_mesh* mesh; } hrbfnpr_line_set_desc;
 hrbfnpr_status hrbfnpr_line_set_desc_init(hrbfnpr_line_set_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_line_set_create(hrbfnpr_context* context, const hrbfnpr_model* model,
     const hrbfnpr_line_set_desc* desc, hrbfnpr_operation* operation, hrbfnpr_line_set** out_line_set,
@@ -333,13 +333,13 @@ typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[
     double tone_exponent; hrbfnpr_tone_fn tone_function; void* tone_user; uint32_t light_space; float tone_fade;
     double silhouette_threshold; float silhouette_radius; float silhouette_radius_zoom; float silhouette_ink[4];
     uint32_t visibility; uint32_t hidden_lines; double attenuation_front; double attenuation_back; float splat_radius;
-    float splat_overlap; float halo_width; uint32_t reserved; double depth_min; double depth_max; double zoom_reference;
-    double zoom_exponent; const hrbfnpr_line_style* lines; int64_t line_count; int64_t line_stride; float fill_light;
-    uint32_t reserved2; float light_intensity; float light_shadow; float light_softness; uint32_t evenness;
-    const hrbfnpr_light* lights; int64_t light_count; int64_t light_stride; double ambient_up[3]; float ambient_sky;
-    float ambient_ground; float occlusion; float occlusion_exponent; float rim_light; float rim_exponent;
-    float tone_black; float tone_white; float tone_gamma; uint32_t tone_steps; float curvature_contrast;
-    float occlusion_lights; const float* palette; int64_t palette_count; } hrbfnpr_style;
+    float splat_overlap; float halo_width; uint32_t verify_lines; double depth_min; double depth_max;
+    double zoom_reference; double zoom_exponent; const hrbfnpr_line_style* lines; int64_t line_count;
+    int64_t line_stride; float fill_light; uint32_t reserved2; float light_intensity; float light_shadow;
+    float light_softness; uint32_t evenness; const hrbfnpr_light* lights; int64_t light_count; int64_t light_stride;
+    double ambient_up[3]; float ambient_sky; float ambient_ground; float occlusion; float occlusion_exponent;
+    float rim_light; float rim_exponent; float tone_black; float tone_white; float tone_gamma; uint32_t tone_steps;
+    float curvature_contrast; float occlusion_lights; const float* palette; int64_t palette_count; } hrbfnpr_style;
 hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
 enum { HRBFNPR_PRESET_STIPPLE = 0, HRBFNPR_PRESET_HATCH = 1, HRBFNPR_PRESET_CROSS_HATCH = 2, HRBFNPR_PRESET_COMBING = 3,
     HRBFNPR_PRESET_SILHOUETTE = 4, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, HRBFNPR_PRESET_XRAY = 6,
@@ -408,7 +408,8 @@ typedef struct hrbfnpr_drawing_info { uint32_t struct_size; uint32_t reserved; i
     int64_t dropped_zoom; int64_t dropped_hidden; int64_t splats; int64_t nanoseconds_classify;
     int64_t nanoseconds_visibility; int64_t nanoseconds_sort; int64_t bytes; int64_t scratch_bytes; int64_t line_curves;
     int64_t line_cusps; int64_t line_crossings; int64_t line_broken; int64_t line_settled; int64_t line_contradictions;
-    int64_t nanoseconds_lines; int64_t line_refined; int64_t line_tangles; } hrbfnpr_drawing_info;
+    int64_t nanoseconds_lines; int64_t line_refined; int64_t line_tangles; int64_t line_pieces; int64_t line_agreeing;
+    int64_t line_undecided; int64_t line_repaired; } hrbfnpr_drawing_info;
 hrbfnpr_status hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_drawing_get_info(const hrbfnpr_drawing* drawing, hrbfnpr_drawing_info* info,
     hrbfnpr_error* error); typedef struct hrbfnpr_drawing_layer_info { uint32_t struct_size; uint32_t mark_class;
@@ -452,9 +453,8 @@ typedef struct hrbfnpr_mark_identity { uint32_t struct_size; uint32_t id; int64_
     int64_t stroke; int64_t place; } hrbfnpr_mark_identity;
 hrbfnpr_status hrbfnpr_mark_identity_init(hrbfnpr_mark_identity* identity, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_drawing_identify(const hrbfnpr_drawing* drawing, uint32_t id, hrbfnpr_mark_identity* identity,
-    hrbfnpr_error* error); typedef struct hrbfnpr_mesh hrbfnpr_mesh;
-enum { HRBFNPR_PARTS_OUTER = 0, HRBFNPR_PARTS_ALL = 1, HRBFNPR_PARTS_LARGEST = 2 };
-enum { HRBFNPR_FACES_TURN = 0, HRBFNPR_FACES_KEEP = 1 };
+    hrbfnpr_error* error); enum { HRBFNPR_PARTS_OUTER = 0, HRBFNPR_PARTS_ALL = 1, HRBFNPR_PARTS_LARGEST = 2,
+    HRBFNPR_PARTS_SOLIDS = 3, HRBFNPR_PARTS_AUTO = 4 }; enum { HRBFNPR_FACES_TURN = 0, HRBFNPR_FACES_KEEP = 1 };
 typedef struct hrbfnpr_mesh_desc { uint32_t struct_size; uint32_t parts; hrbfnpr_array vertices;
     hrbfnpr_array triangles; double crease_angle; uint32_t faces; uint32_t reserved; } hrbfnpr_mesh_desc;
 hrbfnpr_status hrbfnpr_mesh_desc_init(hrbfnpr_mesh_desc* desc, uint32_t struct_size);
@@ -467,7 +467,7 @@ typedef struct hrbfnpr_mesh_info { uint32_t struct_size; uint32_t closed; int64_
     int64_t left_out_components; int64_t left_out_faces; int64_t boundary_edges; int64_t boundary_loops;
     int64_t nonmanifold_edges; int64_t contrary_edges; int64_t euler_characteristic; int64_t genus; double area;
     double volume; double bounds_min[3]; double bounds_max[3]; double seconds; int64_t bytes; double crease_length;
-    uint32_t creases; uint32_t reserved; } hrbfnpr_mesh_info;
+    uint32_t creases; uint32_t cavities; } hrbfnpr_mesh_info;
 hrbfnpr_status hrbfnpr_mesh_info_init(hrbfnpr_mesh_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_mesh_get_info(const hrbfnpr_mesh* mesh, hrbfnpr_mesh_info* info, hrbfnpr_error* error);
 enum { HRBFNPR_MESH_ATTRIBUTE_VERTEX = 0, HRBFNPR_MESH_ATTRIBUTE_TRIANGLE = 1, HRBFNPR_MESH_ATTRIBUTE_COMPONENT = 2,
@@ -563,8 +563,9 @@ typedef struct hrbfnpr_picture_source { uint32_t struct_size; uint32_t flags; hr
 hrbfnpr_status hrbfnpr_picture_source_init(hrbfnpr_picture_source* source, uint32_t struct_size);
 enum { HRBFNPR_PICTURE_ALLOW_BLANK = 1, HRBFNPR_PICTURE_FLIP = 2, HRBFNPR_PICTURE_CLOSE = 4,
     HRBFNPR_PICTURE_TOGETHER = 8, HRBFNPR_PICTURE_TRANSPARENT = 16, HRBFNPR_PICTURE_KEEP_MARKS = 32,
-    HRBFNPR_PICTURE_SURFACE_ONLY = 64, HRBFNPR_PICTURE_IS_SOLID = 128 }; enum { HRBFNPR_PICTURE_EDGES_AS_GIVEN = 0,
-    HRBFNPR_PICTURE_EDGES_AUTO = 1, HRBFNPR_PICTURE_EDGES_SMOOTH = 2, HRBFNPR_PICTURE_EDGES_SHARP = 3 };
+    HRBFNPR_PICTURE_SURFACE_ONLY = 64, HRBFNPR_PICTURE_IS_SOLID = 128, HRBFNPR_PICTURE_VERIFY = 256 };
+enum { HRBFNPR_PICTURE_EDGES_AS_GIVEN = 0, HRBFNPR_PICTURE_EDGES_AUTO = 1, HRBFNPR_PICTURE_EDGES_SMOOTH = 2,
+    HRBFNPR_PICTURE_EDGES_SHARP = 3 };
 enum { HRBFNPR_PROFILE_AUTO = 0, HRBFNPR_PROFILE_YES = 1, HRBFNPR_PROFILE_NO = 2 };
 enum { HRBFNPR_PICTURE_SIDES_AUTO = 0, HRBFNPR_PICTURE_SIDES_FRONT = 1, HRBFNPR_PICTURE_SIDES_BOTH = 2 };
 enum { HRBFNPR_PICTURE_GROUND_NONE = 0, HRBFNPR_PICTURE_GROUND_LOWEST = 1, HRBFNPR_PICTURE_GROUND_HEIGHT = 2 };
@@ -600,7 +601,7 @@ enum { HRBFNPR_NOTE_FACES_NOT_FINITE = 1, HRBFNPR_NOTE_NO_DATA = 2, HRBFNPR_NOTE
     HRBFNPR_NOTE_AT_ONE_PLACE = 69, HRBFNPR_NOTE_FAR_FROM_ORIGIN = 70, HRBFNPR_NOTE_VERTICES_JOINED = 71,
     HRBFNPR_NOTE_VERTICES_UNUSED = 72, HRBFNPR_NOTE_NONMANIFOLD_EDGES = 73, HRBFNPR_NOTE_MESH_OPEN = 74,
     HRBFNPR_NOTE_SEVERAL_PARTS = 75, HRBFNPR_NOTE_NOT_USABLE = 76, HRBFNPR_NOTE_NO_GROUND = 77,
-    HRBFNPR_NOTE_PALETTE_CHOSEN = 78, HRBFNPR_NOTE_NO_SHADOWS = 79 };
+    HRBFNPR_NOTE_PALETTE_CHOSEN = 78, HRBFNPR_NOTE_NO_SHADOWS = 79, HRBFNPR_NOTE_LINES_VERIFIED = 95 };
 typedef struct hrbfnpr_note { uint32_t struct_size; uint32_t code; uint32_t severity; uint32_t figure_count;
     double figures[8]; const char* text; const char* advice; const char* detail; } hrbfnpr_note;
 hrbfnpr_status hrbfnpr_note_init(hrbfnpr_note* note, uint32_t struct_size);
@@ -680,8 +681,8 @@ hrbfnpr_status hrbfnpr_settings_load(hrbfnpr_context* context, hrbfnpr_read_fn r
 void hrbfnpr_settings_retain(const hrbfnpr_settings* settings);
 void hrbfnpr_settings_release(const hrbfnpr_settings* settings);
 hrbfnpr_status hrbfnpr_picture_write_settings(hrbfnpr_picture* picture, hrbfnpr_write_fn write, void* user,
-    hrbfnpr_error* error);
-enum { HRBFNPR_VIEWS_CENTRE_LINES = 1, HRBFNPR_VIEWS_LABELS = 2, HRBFNPR_VIEWS_UNIT_IS_METRE = 4 };
+    hrbfnpr_error* error); enum { HRBFNPR_VIEWS_CENTRE_LINES = 1, HRBFNPR_VIEWS_LABELS = 2,
+    HRBFNPR_VIEWS_UNIT_IS_METRE = 4, HRBFNPR_VIEWS_VERIFY = 8 };
 enum { HRBFNPR_VIEWS_ANGLE_FIRST = 0, HRBFNPR_VIEWS_ANGLE_THIRD = 1 };
 enum { HRBFNPR_VIEWS_HIDDEN_DASHED = 0, HRBFNPR_VIEWS_HIDDEN_NONE = 1, HRBFNPR_VIEWS_HIDDEN_SHOWN = 2 };
 typedef struct hrbfnpr_views_desc { uint32_t struct_size; uint32_t flags; uint32_t projection; uint32_t hidden;
@@ -690,7 +691,8 @@ typedef struct hrbfnpr_views_desc { uint32_t struct_size; uint32_t flags; uint32
     double spacing; const hrbfnpr_page_desc* page; } hrbfnpr_views_desc;
 hrbfnpr_status hrbfnpr_views_desc_init(hrbfnpr_views_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_views_info { uint32_t struct_size; uint32_t reserved; int64_t views; int64_t bytes; double width;
-    double height; double scale; double unit_mm; char scale_text[64]; char paper[64]; } hrbfnpr_views_info;
+    double height; double scale; double unit_mm; char scale_text[64]; char paper[64]; int64_t pieces; int64_t agreeing;
+    int64_t undecided; int64_t repaired; } hrbfnpr_views_info;
 hrbfnpr_status hrbfnpr_views_info_init(hrbfnpr_views_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_picture_write_views(hrbfnpr_picture* picture, const hrbfnpr_views_desc* desc,
     hrbfnpr_write_fn write, void* user, hrbfnpr_views_info* info, hrbfnpr_operation* operation, hrbfnpr_error* error);

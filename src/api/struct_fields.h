@@ -234,7 +234,7 @@ inline constexpr FieldLayout fields_of_hrbfnpr_line_set_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(flags, "uint32_t"), FIELD(cell_size, "double"),
     FIELD(seed_points, "hrbfnpr_array"), FIELD(lines, "const hrbfnpr_line_desc*"), FIELD(line_count, "int64_t"),
     FIELD(line_stride, "int64_t"), FIELD(support, "double"), FIELD(support_points, "hrbfnpr_array"),
-    FIELD(support_normals, "hrbfnpr_array")};
+    FIELD(support_normals, "hrbfnpr_array"), FIELD(mesh, "const hrbfnpr_mesh*")};
 #undef RECORD
 #define RECORD hrbfnpr_line_set_info
 inline constexpr FieldLayout fields_of_hrbfnpr_line_set_info[] = {
@@ -287,7 +287,7 @@ inline constexpr FieldLayout fields_of_hrbfnpr_style[] = {
     FIELD(silhouette_radius, "float"), FIELD(silhouette_radius_zoom, "float"), FIELD(silhouette_ink, "float[4]"),
     FIELD(visibility, "uint32_t"), FIELD(hidden_lines, "uint32_t"), FIELD(attenuation_front, "double"),
     FIELD(attenuation_back, "double"), FIELD(splat_radius, "float"), FIELD(splat_overlap, "float"),
-    FIELD(halo_width, "float"), FIELD(reserved, "uint32_t"), FIELD(depth_min, "double"), FIELD(depth_max, "double"),
+    FIELD(halo_width, "float"), FIELD(verify_lines, "uint32_t"), FIELD(depth_min, "double"), FIELD(depth_max, "double"),
     FIELD(zoom_reference, "double"), FIELD(zoom_exponent, "double"), FIELD(lines, "const hrbfnpr_line_style*"),
     FIELD(line_count, "int64_t"), FIELD(line_stride, "int64_t"), FIELD(fill_light, "float"),
     FIELD(reserved2, "uint32_t"), FIELD(light_intensity, "float"), FIELD(light_shadow, "float"),
@@ -341,7 +341,9 @@ inline constexpr FieldLayout fields_of_hrbfnpr_drawing_info[] = {
     FIELD(nanoseconds_sort, "int64_t"), FIELD(bytes, "int64_t"), FIELD(scratch_bytes, "int64_t"),
     FIELD(line_curves, "int64_t"), FIELD(line_cusps, "int64_t"), FIELD(line_crossings, "int64_t"),
     FIELD(line_broken, "int64_t"), FIELD(line_settled, "int64_t"), FIELD(line_contradictions, "int64_t"),
-    FIELD(nanoseconds_lines, "int64_t"), FIELD(line_refined, "int64_t"), FIELD(line_tangles, "int64_t")};
+    FIELD(nanoseconds_lines, "int64_t"), FIELD(line_refined, "int64_t"), FIELD(line_tangles, "int64_t"),
+    FIELD(line_pieces, "int64_t"), FIELD(line_agreeing, "int64_t"), FIELD(line_undecided, "int64_t"),
+    FIELD(line_repaired, "int64_t")};
 #undef RECORD
 #define RECORD hrbfnpr_drawing_layer_info
 inline constexpr FieldLayout fields_of_hrbfnpr_drawing_layer_info[] = {
@@ -390,7 +392,7 @@ inline constexpr FieldLayout fields_of_hrbfnpr_mesh_info[] = {
     FIELD(contrary_edges, "int64_t"), FIELD(euler_characteristic, "int64_t"), FIELD(genus, "int64_t"),
     FIELD(area, "double"), FIELD(volume, "double"), FIELD(bounds_min, "double[3]"), FIELD(bounds_max, "double[3]"),
     FIELD(seconds, "double"), FIELD(bytes, "int64_t"), FIELD(crease_length, "double"), FIELD(creases, "uint32_t"),
-    FIELD(reserved, "uint32_t")};
+    FIELD(cavities, "uint32_t")};
 #undef RECORD
 #define RECORD hrbfnpr_sample_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_sample_desc[] = {
@@ -571,7 +573,8 @@ inline constexpr FieldLayout fields_of_hrbfnpr_views_desc[] = {
 inline constexpr FieldLayout fields_of_hrbfnpr_views_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(views, "int64_t"), FIELD(bytes, "int64_t"),
     FIELD(width, "double"), FIELD(height, "double"), FIELD(scale, "double"), FIELD(unit_mm, "double"),
-    FIELD(scale_text, "char[64]"), FIELD(paper, "char[64]")};
+    FIELD(scale_text, "char[64]"), FIELD(paper, "char[64]"), FIELD(pieces, "int64_t"), FIELD(agreeing, "int64_t"),
+    FIELD(undecided, "int64_t"), FIELD(repaired, "int64_t")};
 #undef RECORD
 #undef FIELD
 

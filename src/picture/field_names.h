@@ -42,18 +42,18 @@ inline constexpr NamedField names_of_hrbfnpr_style[] = {
     FIELD(visibility, uint32, choice, 1, 9, 2), FIELD(hidden_lines, uint32, choice, 1, 11, 3),
     FIELD(attenuation_front, float64, number, 1, 0, 0), FIELD(attenuation_back, float64, number, 1, 0, 0),
     FIELD(splat_radius, float32, number, 1, 0, 0), FIELD(splat_overlap, float32, number, 1, 0, 0),
-    FIELD(halo_width, float32, number, 1, 0, 0), FIELD(depth_min, float64, number, 1, 0, 0),
-    FIELD(depth_max, float64, number, 1, 0, 0), FIELD(zoom_reference, float64, number, 1, 0, 0),
-    FIELD(zoom_exponent, float64, number, 1, 0, 0), FIELD(fill_light, float32, number, 1, 0, 0),
-    FIELD(light_intensity, float32, number, 1, 0, 0), FIELD(light_shadow, float32, number, 1, 0, 0),
-    FIELD(light_softness, float32, number, 1, 0, 0), FIELD(evenness, uint32, choice, 1, 14, 2),
-    FIELD(ambient_up, float64, direction, 3, 0, 0), FIELD(ambient_sky, float32, number, 1, 0, 0),
-    FIELD(ambient_ground, float32, number, 1, 0, 0), FIELD(occlusion, float32, number, 1, 0, 0),
-    FIELD(occlusion_exponent, float32, number, 1, 0, 0), FIELD(rim_light, float32, number, 1, 0, 0),
-    FIELD(rim_exponent, float32, number, 1, 0, 0), FIELD(tone_black, float32, number, 1, 0, 0),
-    FIELD(tone_white, float32, number, 1, 0, 0), FIELD(tone_gamma, float32, number, 1, 0, 0),
-    FIELD(tone_steps, uint32, number, 1, 0, 0), FIELD(curvature_contrast, float32, number, 1, 0, 0),
-    FIELD(occlusion_lights, float32, number, 1, 0, 0)};
+    FIELD(halo_width, float32, number, 1, 0, 0), FIELD(verify_lines, uint32, yes_no, 1, 0, 0),
+    FIELD(depth_min, float64, number, 1, 0, 0), FIELD(depth_max, float64, number, 1, 0, 0),
+    FIELD(zoom_reference, float64, number, 1, 0, 0), FIELD(zoom_exponent, float64, number, 1, 0, 0),
+    FIELD(fill_light, float32, number, 1, 0, 0), FIELD(light_intensity, float32, number, 1, 0, 0),
+    FIELD(light_shadow, float32, number, 1, 0, 0), FIELD(light_softness, float32, number, 1, 0, 0),
+    FIELD(evenness, uint32, choice, 1, 14, 2), FIELD(ambient_up, float64, direction, 3, 0, 0),
+    FIELD(ambient_sky, float32, number, 1, 0, 0), FIELD(ambient_ground, float32, number, 1, 0, 0),
+    FIELD(occlusion, float32, number, 1, 0, 0), FIELD(occlusion_exponent, float32, number, 1, 0, 0),
+    FIELD(rim_light, float32, number, 1, 0, 0), FIELD(rim_exponent, float32, number, 1, 0, 0),
+    FIELD(tone_black, float32, number, 1, 0, 0), FIELD(tone_white, float32, number, 1, 0, 0),
+    FIELD(tone_gamma, float32, number, 1, 0, 0), FIELD(tone_steps, uint32, number, 1, 0, 0),
+    FIELD(curvature_contrast, float32, number, 1, 0, 0), FIELD(occlusion_lights, float32, number, 1, 0, 0)};
 #undef RECORD
 #define RECORD hrbfnpr_layer_style
 inline constexpr NamedField names_of_hrbfnpr_layer_style[] = {

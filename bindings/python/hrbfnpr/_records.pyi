@@ -543,6 +543,14 @@ class DrawingInfo:
     line_tangles : int
         Cells of the image, four pixels wide or more, with so many crossings that none was used. Lines run to and
         fro over each other there, as on a flat face seen edge-on.
+    line_pieces : int
+        Visible and hidden parts of lines that rays were compared with (`verify_lines`).
+    line_agreeing : int
+        Parts of which all decided rays show what is drawn.
+    line_undecided : int
+        Parts without a decided ray: they are within 0.4 pixels of an edge, in the image or in depth.
+    line_repaired : int
+        Parts that were divided, or drawn otherwise than counted, because rays disagreed.
     """
 
     items: int
@@ -576,6 +584,10 @@ class DrawingInfo:
     nanoseconds_lines: int
     line_refined: int
     line_tangles: int
+    line_pieces: int
+    line_agreeing: int
+    line_undecided: int
+    line_repaired: int
 
 @dataclass(frozen=True)
 class DrawingLayerFields:
@@ -759,6 +771,8 @@ class MeshInfo:
     creases : bool
         Whether the mesh has edges that stand out, as those of machine parts do. `Model.fit_mesh` keeps them sharp
         with edges "auto" and the default crease_angle.
+    cavities : int
+        Components that are kept and are walls of cavities.
     """
 
     closed: bool
@@ -789,6 +803,7 @@ class MeshInfo:
     bytes: int
     crease_length: float
     creases: bool
+    cavities: int
 
 @dataclass(frozen=True)
 class MeshEdgesInfo:
@@ -1300,6 +1315,7 @@ class StyleFields(Attributes):
     splat_radius: Field[float, float]
     splat_overlap: Field[float, float]
     halo_width: Field[float, float]
+    verify_lines: Field[int, int]
     depth_min: Field[float, float]
     depth_max: Field[float, float]
     zoom_reference: Field[float, float]

@@ -128,7 +128,7 @@ namespace HrbfNpr
         internal float splat_radius;
         internal float splat_overlap;
         internal float halo_width;
-        internal uint reserved;
+        internal uint verify_lines;
         internal double depth_min;
         internal double depth_max;
         internal double zoom_reference;

@@ -354,6 +354,7 @@ namespace HrbfNpr
         internal double support;
         internal hrbfnpr_array support_points;
         internal hrbfnpr_array support_normals;
+        internal IntPtr mesh;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_mesh_desc")]

@@ -1064,20 +1064,26 @@ export declare const VERTEX_ATTRIBUTE: {
 export type VertexAttributeName = "position" | "window" | "radius" | "color" | "normal" | "direction" | "id" | "class"
   | "is-paper" | "layer" | "length" | "hidden-layers" | "hidden-by" | "line";
 
-/** Which components of a mesh are kept.  Faces that share vertices belong to one component. */
+/**
+ * Which components of a mesh are kept.  Faces that share vertices belong to one component.
+ * With ALL and SOLIDS, a closed component inside an odd number of closed ones is the wall of a cavity, and its
+ * faces are
+ * turned into the cavity.  One inside an even number is a solid.
+ */
 export declare const PARTS: {
   /** keeps all components except those inside a closed one, such as eyes in a head or inner shells */
   readonly OUTER: 0;
-  /**
-   * keeps all components. One that lies inside an odd number of closed ones is a cavity if its faces say so, and
-   * is not turned
-   */
+  /** keeps all components */
   readonly ALL: 1;
   /** keeps the component of the largest area */
   readonly LARGEST: 2;
+  /** keeps all components except open ones inside a closed one */
+  readonly SOLIDS: 3;
+  /** in a picture SOLIDS if hidden parts of lines or a section are drawn, or with SURFACE_ONLY; else OUTER */
+  readonly AUTO: 4;
 };
 /** The constants of PARTS, as options spell them. */
-export type PartsName = "outer" | "all" | "largest";
+export type PartsName = "outer" | "all" | "largest" | "solids" | "auto";
 
 /** Whether the order of a face's corners may change. */
 export declare const FACES: {
@@ -1257,10 +1263,12 @@ export declare const PICTURE: {
   readonly SURFACE_ONLY: 64;
   /** says that the source is a part of a solid, so that up is y */
   readonly IS_SOLID: 128;
+  /** compares all lines with rays, and repairs wrong parts (verify_lines of the style); a note has the counts */
+  readonly VERIFY: 256;
 };
 /** The constants of PICTURE, as options spell them. */
 export type PictureName = "allow-blank" | "flip" | "close" | "together" | "transparent" | "keep-marks" |
-  "surface-only" | "is-solid";
+  "surface-only" | "is-solid" | "verify";
 
 /** Which edges of a mesh are sharp. */
 export declare const PICTURE_EDGES: {
@@ -1559,6 +1567,8 @@ export declare const NOTE: {
   readonly PALETTE_CHOSEN: 78;
   /** borders of shadows are to be drawn, and no light casts shadows [] */
   readonly NO_SHADOWS: 79;
+  /** rays were compared with all parts of lines [decided parts, those that agree, undecided parts, repaired parts] */
+  readonly LINES_VERIFIED: 95;
 };
 /** The constants of NOTE, as options spell them. */
 export type NoteName = "faces-not-finite" | "no-data" | "strays" | "some-oriented" | "normals-made" |
@@ -1573,7 +1583,7 @@ export type NoteName = "faces-not-finite" | "no-data" | "strays" | "some-oriente
   "lines-end" | "lines-broken" | "lines-doubted" | "lines-tangled" | "blank" | "pens" | "plotted" | "not-in-settings"
   | "unit-is-metre" | "no-symmetry" | "section-open" | "normals-not-unit" | "at-one-place" | "far-from-origin" |
   "vertices-joined" | "vertices-unused" | "nonmanifold-edges" | "mesh-open" | "several-parts" | "not-usable" |
-  "no-ground" | "palette-chosen" | "no-shadows";
+  "no-ground" | "palette-chosen" | "no-shadows" | "lines-verified";
 
 /** The kind of a source. */
 export declare const SOURCE_KIND: {
@@ -1621,9 +1631,14 @@ export declare const VIEWS: {
    * UNIT_IS_METRE says so
    */
   readonly UNIT_IS_METRE: 4;
+  /**
+   * compares all drawn lines with rays, and repairs wrong pieces. hrbfnpr_views_info, a note LINES_VERIFIED and,
+   * unless `page` has one, the page's description have the counts
+   */
+  readonly VERIFY: 8;
 };
 /** The constants of VIEWS, as options spell them. */
-export type ViewsName = "centre-lines" | "labels" | "unit-is-metre";
+export type ViewsName = "centre-lines" | "labels" | "unit-is-metre" | "verify";
 
 /** Where views stand [ISO 5456-2]. */
 export declare const VIEWS_ANGLE: {

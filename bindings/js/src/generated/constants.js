@@ -67,7 +67,7 @@ export const PRIMITIVE = Object.freeze({ POINTS: 1, LINE_STRIPS: 2, TRIANGLE_STR
 export const INDEX = Object.freeze({ RESTART: -1 });
 export const VERTEX_ATTRIBUTE = Object.freeze({ POSITION: 0, WINDOW: 1, RADIUS: 2, COLOR: 3, NORMAL: 4, DIRECTION: 5,
   ID: 6, CLASS: 7, IS_PAPER: 8, LAYER: 9, LENGTH: 10, HIDDEN_LAYERS: 11, HIDDEN_BY: 12, LINE: 13 });
-export const PARTS = Object.freeze({ OUTER: 0, ALL: 1, LARGEST: 2 });
+export const PARTS = Object.freeze({ OUTER: 0, ALL: 1, LARGEST: 2, SOLIDS: 3, AUTO: 4 });
 export const FACES = Object.freeze({ TURN: 0, KEEP: 1 });
 export const MESH_ATTRIBUTE = Object.freeze({ VERTEX: 0, TRIANGLE: 1, COMPONENT: 2, GIVEN_FACE: 3, CORNER_NORMAL: 4
   });
@@ -82,7 +82,7 @@ export const LINE_TYPE = Object.freeze({ AS_DRAWN: 0, CONTINUOUS: 1, DASHED: 2, 
   DOUBLE_DASHED_DOUBLE_DOTTED: 13, DASHED_TRIPLE_DOTTED: 14, DOUBLE_DASHED_TRIPLE_DOTTED: 15 });
 export const SOURCE = Object.freeze({ HAS_SHARP_EDGES: 1, HAS_VIEWPOINT: 2, IS_PHOTO: 4 });
 export const PICTURE = Object.freeze({ ALLOW_BLANK: 1, FLIP: 2, CLOSE: 4, TOGETHER: 8, TRANSPARENT: 16, KEEP_MARKS:
-  32, SURFACE_ONLY: 64, IS_SOLID: 128 });
+  32, SURFACE_ONLY: 64, IS_SOLID: 128, VERIFY: 256 });
 export const PICTURE_EDGES = Object.freeze({ AS_GIVEN: 0, AUTO: 1, SMOOTH: 2, SHARP: 3 });
 export const PROFILE = Object.freeze({ AUTO: 0, YES: 1, NO: 2 });
 export const PICTURE_SIDES = Object.freeze({ AUTO: 0, FRONT: 1, BOTH: 2 });
@@ -104,10 +104,10 @@ export const NOTE = Object.freeze({ FACES_NOT_FINITE: 1, NO_DATA: 2, STRAYS: 3, 
   LINES_TANGLED: 60, BLANK: 61, PENS: 62, PLOTTED: 63, NOT_IN_SETTINGS: 64, UNIT_IS_METRE: 65, NO_SYMMETRY: 66,
   SECTION_OPEN: 67, NORMALS_NOT_UNIT: 68, AT_ONE_PLACE: 69, FAR_FROM_ORIGIN: 70, VERTICES_JOINED: 71, VERTICES_UNUSED:
   72, NONMANIFOLD_EDGES: 73, MESH_OPEN: 74, SEVERAL_PARTS: 75, NOT_USABLE: 76, NO_GROUND: 77, PALETTE_CHOSEN: 78,
-  NO_SHADOWS: 79 });
+  NO_SHADOWS: 79, LINES_VERIFIED: 95 });
 export const SOURCE_KIND = Object.freeze({ POINTS: 1, MESH: 2, MODEL: 3, POINT_SET: 4 });
 export const NORMALS_LOOK = Object.freeze({ UNKNOWN: 0, OUTWARD: 1, INWARD: 2, MIXED: 3, OPEN: 4, FOREIGN: 5 });
-export const VIEWS = Object.freeze({ CENTRE_LINES: 1, LABELS: 2, UNIT_IS_METRE: 4 });
+export const VIEWS = Object.freeze({ CENTRE_LINES: 1, LABELS: 2, UNIT_IS_METRE: 4, VERIFY: 8 });
 export const VIEWS_ANGLE = Object.freeze({ FIRST: 0, THIRD: 1 });
 export const VIEWS_HIDDEN = Object.freeze({ DASHED: 0, NONE: 1, SHOWN: 2 });
 

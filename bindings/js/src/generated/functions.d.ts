@@ -1884,8 +1884,10 @@ export interface Functions {
    *
    * Writes a sheet of views of a picture's first part, which must have a model.  A picture made with SURFACE_ONLY
    * is
-   * enough.  `desc`, `info` and `operation` may be NULL.  The picture gets stages LINES and VIEWS, and notes
-   * UNIT_IS_METRE, NO_SYMMETRY and SECTION_OPEN.
+   * enough, and its model has the cavities of a mesh; others may need SOLIDS as `parts`.  `desc`, `info` and
+   * `operation`
+   * may be NULL.  The picture gets stages LINES and VIEWS, and notes UNIT_IS_METRE, NO_SYMMETRY, SECTION_OPEN and
+   * LINES_VERIFIED.
    * Errors: INVALID_ARGUMENT (a picture of a point set; a text that is not understood; a plane that misses the
    * model;
    * views that have no room on the paper at the scale: the message names a scale or paper with room), and those of

@@ -348,7 +348,7 @@ export const STRUCTS = {
     position: ["array", 96, 3],
     lineFirst: ["array", 128, 1],
   } },
-  hrbfnpr_line_set_desc: { size: 144, sized: true, fields: {
+  hrbfnpr_line_set_desc: { size: 152, sized: true, fields: {
     flags: ["u32", 4],
     cellSize: ["f64", 8],
     seedPoints: ["array", 16, 3],
@@ -356,6 +356,7 @@ export const STRUCTS = {
     support: ["f64", 72],
     supportPoints: ["array", 80, 3],
     supportNormals: ["array", 112, 3],
+    mesh: ["handle", 144, "hrbfnpr_mesh"],
   } },
   hrbfnpr_line_set_info: { size: 88, sized: true, fields: {
     triangles: ["i64", 8],
@@ -465,6 +466,7 @@ export const STRUCTS = {
     splatRadius: ["f32", 160],
     splatOverlap: ["f32", 164],
     haloWidth: ["f32", 168],
+    verifyLines: ["u32", 172],
     depthMin: ["f64", 176],
     depthMax: ["f64", 184],
     zoomReference: ["f64", 192],
@@ -539,7 +541,7 @@ export const STRUCTS = {
     previous: ["handle", 24, "hrbfnpr_shading"],
     curvatureScale: ["f64", 32],
   } },
-  hrbfnpr_drawing_info: { size: 256, sized: true, fields: {
+  hrbfnpr_drawing_info: { size: 288, sized: true, fields: {
     items: ["i64", 8],
     layers: ["i64", 16],
     dots: ["i64", 24],
@@ -571,6 +573,10 @@ export const STRUCTS = {
     nanosecondsLines: ["i64", 232],
     lineRefined: ["i64", 240],
     lineTangles: ["i64", 248],
+    linePieces: ["i64", 256],
+    lineAgreeing: ["i64", 264],
+    lineUndecided: ["i64", 272],
+    lineRepaired: ["i64", 280],
   } },
   hrbfnpr_drawing_layer_info: { size: 136, sized: true, fields: {
     markClass: ["u32", 4, 0, "CLASS"],
@@ -650,6 +656,7 @@ export const STRUCTS = {
     bytes: ["i64", 232],
     creaseLength: ["f64", 240],
     creases: ["u32", 248, 0, "CREASES"],
+    cavities: ["u32", 252],
   } },
   hrbfnpr_sample_desc: { size: 24, sized: true, fields: {
     candidates: ["i64", 8],
@@ -978,7 +985,7 @@ export const STRUCTS = {
     spacing: ["f64", 80],
     page: ["pointer", 88, "hrbfnpr_page_desc"],
   } },
-  hrbfnpr_views_info: { size: 184, sized: true, fields: {
+  hrbfnpr_views_info: { size: 216, sized: true, fields: {
     views: ["i64", 8],
     bytes: ["i64", 16],
     width: ["f64", 24],
@@ -987,6 +994,10 @@ export const STRUCTS = {
     unitMm: ["f64", 48],
     scaleText: ["chars", 56, 64],
     paper: ["chars", 120, 64],
+    pieces: ["i64", 184],
+    agreeing: ["i64", 192],
+    undecided: ["i64", 200],
+    repaired: ["i64", 208],
   } },
 };
 
@@ -1062,7 +1073,7 @@ export const OFFSETS = {
   hrbfnpr_line_desc: {struct_size: 0, kind: 4, name: 8, lower: 16, upper: 24, shortest: 32, plane: 40, levels: 64,
     position: 96, line_first: 128},
   hrbfnpr_line_set_desc: {struct_size: 0, flags: 4, cell_size: 8, seed_points: 16, lines: 48, line_count: 56,
-    line_stride: 64, support: 72, support_points: 80, support_normals: 112},
+    line_stride: 64, support: 72, support_points: 80, support_normals: 112, mesh: 144},
   hrbfnpr_line_set_info: {struct_size: 0, reserved: 4, triangles: 8, turned: 16, missed_seeds: 24, lines: 32, borders:
     40, cell_size: 48, seconds: 56, bytes: 64, left_out: 72, creases: 80},
   hrbfnpr_camera: {struct_size: 0, depth_convention: 4, view: 8, projection: 136, viewport: 264},
@@ -1081,12 +1092,12 @@ export const OFFSETS = {
     tone_curve: 52, light: 56, tone_exponent: 80, tone_function: 88, tone_user: 92, light_space: 96, tone_fade: 100,
     silhouette_threshold: 104, silhouette_radius: 112, silhouette_radius_zoom: 116, silhouette_ink: 120, visibility:
     136, hidden_lines: 140, attenuation_front: 144, attenuation_back: 152, splat_radius: 160, splat_overlap: 164,
-    halo_width: 168, reserved: 172, depth_min: 176, depth_max: 184, zoom_reference: 192, zoom_exponent: 200, lines:
-    208, line_count: 216, line_stride: 224, fill_light: 232, reserved2: 236, light_intensity: 240, light_shadow: 244,
-    light_softness: 248, evenness: 252, lights: 256, light_count: 264, light_stride: 272, ambient_up: 280,
-    ambient_sky: 304, ambient_ground: 308, occlusion: 312, occlusion_exponent: 316, rim_light: 320, rim_exponent: 324,
-    tone_black: 328, tone_white: 332, tone_gamma: 336, tone_steps: 340, curvature_contrast: 344, occlusion_lights:
-    348, palette: 352, palette_count: 360},
+    halo_width: 168, verify_lines: 172, depth_min: 176, depth_max: 184, zoom_reference: 192, zoom_exponent: 200,
+    lines: 208, line_count: 216, line_stride: 224, fill_light: 232, reserved2: 236, light_intensity: 240,
+    light_shadow: 244, light_softness: 248, evenness: 252, lights: 256, light_count: 264, light_stride: 272,
+    ambient_up: 280, ambient_sky: 304, ambient_ground: 308, occlusion: 312, occlusion_exponent: 316, rim_light: 320,
+    rim_exponent: 324, tone_black: 328, tone_white: 332, tone_gamma: 336, tone_steps: 340, curvature_contrast: 344,
+    occlusion_lights: 348, palette: 352, palette_count: 360},
   hrbfnpr_dab: {struct_size: 0, map: 4, position: 8, normal: 32, radius: 56, strength: 64, value: 72, direction: 80},
   hrbfnpr_field_desc: {struct_size: 0, kind: 4, source: 8, flags: 12, range: 16, points: 32, triangles: 64, values:
     96, reach: 128, function: 136, user: 140, dabs: 144, dab_count: 152, dab_stride: 160, image: 168, camera: 172,
@@ -1101,7 +1112,8 @@ export const OFFSETS = {
     dropped_depth: 112, dropped_zoom: 120, dropped_hidden: 128, splats: 136, nanoseconds_classify: 144,
     nanoseconds_visibility: 152, nanoseconds_sort: 160, bytes: 168, scratch_bytes: 176, line_curves: 184, line_cusps:
     192, line_crossings: 200, line_broken: 208, line_settled: 216, line_contradictions: 224, nanoseconds_lines: 232,
-    line_refined: 240, line_tangles: 248},
+    line_refined: 240, line_tangles: 248, line_pieces: 256, line_agreeing: 264, line_undecided: 272, line_repaired:
+    280},
   hrbfnpr_drawing_layer_info: {struct_size: 0, mark_class: 4, item: 8, layer: 16, kind: 24, shape: 28, name: 32, ink:
     96, dots: 112, strokes: 120, ink_number: 128, reserved: 132},
   hrbfnpr_raster_desc: {struct_size: 0, flags: 4, host_depth: 8, depth: 40, id: 72, mark_class: 104},
@@ -1117,7 +1129,7 @@ export const OFFSETS = {
     turned_components: 80, nested_components: 88, left_out_components: 96, left_out_faces: 104, boundary_edges: 112,
     boundary_loops: 120, nonmanifold_edges: 128, contrary_edges: 136, euler_characteristic: 144, genus: 152, area:
     160, volume: 168, bounds_min: 176, bounds_max: 200, seconds: 224, bytes: 232, crease_length: 240, creases: 248,
-    reserved: 252},
+    cavities: 252},
   hrbfnpr_sample_desc: {struct_size: 0, reserved: 4, candidates: 8, random_seed: 16},
   hrbfnpr_mesh_edges_desc: {struct_size: 0, edges: 4, crease_angle: 8, far: 16},
   hrbfnpr_mesh_edges_info: {struct_size: 0, reserved: 4, edges: 8, patches: 16, length: 24, fading: 32, doubtful: 40,
@@ -1179,5 +1191,5 @@ export const OFFSETS = {
     28, smooth: 32, title: 36, model: 40, unit_mm: 48, crease_angle: 56, line_width: 64, hatch_spacing: 72, spacing:
     80, page: 88},
   hrbfnpr_views_info: {struct_size: 0, reserved: 4, views: 8, bytes: 16, width: 24, height: 32, scale: 40, unit_mm:
-    48, scale_text: 56, paper: 120},
+    48, scale_text: 56, paper: 120, pieces: 184, agreeing: 192, undecided: 200, repaired: 208},
 };

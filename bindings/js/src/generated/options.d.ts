@@ -996,6 +996,12 @@ export interface LineSetDesc {
    * surface there
    */
   supportNormals?: ArrayInput;
+  /**
+   * the mesh that the model was fitted to; default NULL. Its triangles find lines where walls are thinner than
+   * cells. The line set does not keep it. Ignored with a cell_size, and if it has edges that are not manifold or
+   * whose faces do not agree
+   */
+  mesh?: Mesh;
 }
 
 /** What making a line set found. */
@@ -1385,6 +1391,11 @@ export interface Style {
    */
   haloWidth?: number;
   /**
+   * 1 or 0; default 0. 1: rays from the eye are compared with all parts of the item's lines, and wrong parts are
+   * repaired; hrbfnpr_drawing_info has the counts (docs/lines.md)
+   */
+  verifyLines?: number;
+  /**
    * distance from the camera at which marks begin to vanish, in world units; default 0. Either 0 < depth_min <
    * depth_max, or both are 0 and distance has no effect. Between the two the share of marks falls with the
    * logarithm of the distance
@@ -1717,6 +1728,14 @@ export interface DrawingInfo {
    * over each other there, as on a flat face seen edge-on
    */
   readonly lineTangles: number;
+  /** visible and hidden parts of lines that rays were compared with (`verify_lines`) */
+  readonly linePieces: number;
+  /** parts of which all decided rays show what is drawn */
+  readonly lineAgreeing: number;
+  /** parts without a decided ray: they are within 0.4 pixels of an edge, in the image or in depth */
+  readonly lineUndecided: number;
+  /** parts that were divided, or drawn otherwise than counted, because rays disagreed */
+  readonly lineRepaired: number;
 }
 
 /**
@@ -1914,6 +1933,8 @@ export interface MeshInfo {
    * with edges AUTO and the default crease_angle
    */
   readonly creases: CreasesName | number;
+  /** components that are kept and are walls of cavities */
+  readonly cavities: number;
 }
 
 /** How a mesh is sampled. */
@@ -2524,7 +2545,7 @@ export interface PictureDesc {
   tolerance?: number;
   /** the most samples that are chosen, 0 or more; default 0 = 8000 for a mesh, and no limit for points */
   maximumCentres?: number;
-  /** parts of a mesh that are kept, HRBFNPR_PARTS_...; default OUTER */
+  /** parts of a mesh that are kept, HRBFNPR_PARTS_...; default AUTO */
   parts?: PartsName | number;
   /** edges of a mesh that are sharp, HRBFNPR_PICTURE_EDGES_...; default AS_GIVEN */
   edges?: PictureEdgesName | number;
@@ -2848,5 +2869,13 @@ export interface ViewsInfo {
   readonly scaleText: string;
   /** paper, such as "a3" or "297 x 210" */
   readonly paper: string;
+  /** with VERIFY, drawn pieces of lines that rays were compared with */
+  readonly pieces: number;
+  /** pieces of which all decided rays show what is drawn */
+  readonly agreeing: number;
+  /** pieces without a decided ray: they are within 0.05 mm of an edge, in the view or in depth */
+  readonly undecided: number;
+  /** pieces that were divided, or drawn otherwise, because rays disagreed */
+  readonly repaired: number;
 }
 

@@ -646,7 +646,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_line_set_desc>() == either(144, 144, 128));
+    assert!(size_of::<hrbfnpr_line_set_desc>() == either(152, 152, 132));
     assert!(align_of::<hrbfnpr_line_set_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -662,6 +662,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_line_set_desc, support) == either(72, 72, 64));
     assert!(offset_of!(hrbfnpr_line_set_desc, support_points) == either(80, 80, 72));
     assert!(offset_of!(hrbfnpr_line_set_desc, support_normals) == either(112, 112, 100));
+    assert!(offset_of!(hrbfnpr_line_set_desc, mesh) == either(144, 144, 128));
 };
 
 const _: () = {
@@ -827,7 +828,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_style, splat_radius) == either(168, 160, 156));
     assert!(offset_of!(hrbfnpr_style, splat_overlap) == either(172, 164, 160));
     assert!(offset_of!(hrbfnpr_style, halo_width) == either(176, 168, 164));
-    assert!(offset_of!(hrbfnpr_style, reserved) == either(180, 172, 168));
+    assert!(offset_of!(hrbfnpr_style, verify_lines) == either(180, 172, 168));
     assert!(offset_of!(hrbfnpr_style, depth_min) == either(184, 176, 172));
     assert!(offset_of!(hrbfnpr_style, depth_max) == either(192, 184, 180));
     assert!(offset_of!(hrbfnpr_style, zoom_reference) == either(200, 192, 188));
@@ -956,7 +957,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_drawing_info>() == 256);
+    assert!(size_of::<hrbfnpr_drawing_info>() == 288);
     assert!(align_of::<hrbfnpr_drawing_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -995,6 +996,10 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_drawing_info, nanoseconds_lines) == 232);
     assert!(offset_of!(hrbfnpr_drawing_info, line_refined) == 240);
     assert!(offset_of!(hrbfnpr_drawing_info, line_tangles) == 248);
+    assert!(offset_of!(hrbfnpr_drawing_info, line_pieces) == 256);
+    assert!(offset_of!(hrbfnpr_drawing_info, line_agreeing) == 264);
+    assert!(offset_of!(hrbfnpr_drawing_info, line_undecided) == 272);
+    assert!(offset_of!(hrbfnpr_drawing_info, line_repaired) == 280);
 };
 
 const _: () = {
@@ -1143,7 +1148,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_mesh_info, bytes) == 232);
     assert!(offset_of!(hrbfnpr_mesh_info, crease_length) == 240);
     assert!(offset_of!(hrbfnpr_mesh_info, creases) == 248);
-    assert!(offset_of!(hrbfnpr_mesh_info, reserved) == 252);
+    assert!(offset_of!(hrbfnpr_mesh_info, cavities) == 252);
 };
 
 const _: () = {
@@ -1689,7 +1694,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_views_info>() == 184);
+    assert!(size_of::<hrbfnpr_views_info>() == 216);
     assert!(align_of::<hrbfnpr_views_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -1705,4 +1710,8 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_views_info, unit_mm) == 48);
     assert!(offset_of!(hrbfnpr_views_info, scale_text) == 56);
     assert!(offset_of!(hrbfnpr_views_info, paper) == 120);
+    assert!(offset_of!(hrbfnpr_views_info, pieces) == 184);
+    assert!(offset_of!(hrbfnpr_views_info, agreeing) == 192);
+    assert!(offset_of!(hrbfnpr_views_info, undecided) == 200);
+    assert!(offset_of!(hrbfnpr_views_info, repaired) == 208);
 };

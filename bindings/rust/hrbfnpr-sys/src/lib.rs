@@ -1497,6 +1497,13 @@ pub struct hrbfnpr_line_set {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
+/// A handle to triangles that have been repaired, see hrbfnpr_mesh_create.  It never changes.
+#[repr(C)]
+pub struct hrbfnpr_mesh {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
 /// How rays are cast.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
@@ -2770,6 +2777,10 @@ pub struct hrbfnpr_line_set_desc {
     /// normals of support_points, as many, of any length but 0; n x 3, FLOAT32 or FLOAT64; not
     /// given = normals of the surface there
     pub support_normals: hrbfnpr_array,
+    /// the mesh that the model was fitted to; default NULL. Its triangles find lines where walls
+    /// are thinner than cells. The line set does not keep it. Ignored with a cell_size, and if it
+    /// has edges that are not manifold or whose faces do not agree
+    pub mesh: *const hrbfnpr_mesh,
 }
 
 extern "C" {
@@ -3426,7 +3437,9 @@ pub struct hrbfnpr_style {
     /// lines that run beside others, nearer than a pen, are thinned (docs/lines.md). With
     /// PUBLISHED it is added to the radius of the paper of back marks
     pub halo_width: f32,
-    pub reserved: u32,
+    /// 1 or 0; default 0. 1: rays from the eye are compared with all parts of the item's lines,
+    /// and wrong parts are repaired; hrbfnpr_drawing_info has the counts (docs/lines.md)
+    pub verify_lines: u32,
     /// distance from the camera at which marks begin to vanish, in world units; default 0. Either
     /// 0 < depth_min < depth_max, or both are 0 and distance has no effect. Between the two the
     /// share of marks falls with the logarithm of the distance
@@ -4153,6 +4166,14 @@ pub struct hrbfnpr_drawing_info {
     /// cells of the image, four pixels wide or more, with so many crossings that none was used.
     /// Lines run to and fro over each other there, as on a flat face seen edge-on
     pub line_tangles: i64,
+    /// visible and hidden parts of lines that rays were compared with (`verify_lines`)
+    pub line_pieces: i64,
+    /// parts of which all decided rays show what is drawn
+    pub line_agreeing: i64,
+    /// parts without a decided ray: they are within 0.4 pixels of an edge, in the image or in depth
+    pub line_undecided: i64,
+    /// parts that were divided, or drawn otherwise than counted, because rays disagreed
+    pub line_repaired: i64,
 }
 
 extern "C" {
@@ -4492,21 +4513,21 @@ extern "C" {
 
 // 13  MESH: triangles, repaired; samples, fits and comparisons
 
-/// Triangles that have been repaired.
-#[repr(C)]
-pub struct hrbfnpr_mesh {
-    _data: [u8; 0],
-    _marker: PhantomData<(*mut u8, PhantomPinned)>,
-}
-
 // Which components of a mesh are kept.  Faces that share vertices belong to one component.
+// With ALL and SOLIDS, a closed component inside an odd number of closed ones is the wall of
+// a cavity, and its faces are
+// turned into the cavity.  One inside an even number is a solid.
 /// keeps all components except those inside a closed one, such as eyes in a head or inner shells
 pub const HRBFNPR_PARTS_OUTER: u32 = 0;
-/// keeps all components. One that lies inside an odd number of closed ones is a cavity if its
-/// faces say so, and is not turned
+/// keeps all components
 pub const HRBFNPR_PARTS_ALL: u32 = 1;
 /// keeps the component of the largest area
 pub const HRBFNPR_PARTS_LARGEST: u32 = 2;
+/// keeps all components except open ones inside a closed one
+pub const HRBFNPR_PARTS_SOLIDS: u32 = 3;
+/// in a picture SOLIDS if hidden parts of lines or a section are drawn, or with SURFACE_ONLY;
+/// else OUTER
+pub const HRBFNPR_PARTS_AUTO: u32 = 4;
 
 // Whether the order of a face's corners may change.
 /// faces are turned to agree with their component, and closed components to face outward
@@ -4625,7 +4646,8 @@ pub struct hrbfnpr_mesh_info {
     /// 1: the mesh has edges that stand out, as those of machine parts do. hrbfnpr_model_fit_mesh
     /// keeps them sharp with edges AUTO and the default crease_angle
     pub creases: u32,
-    pub reserved: u32,
+    /// components that are kept and are walls of cavities
+    pub cavities: u32,
 }
 
 extern "C" {
@@ -5489,6 +5511,9 @@ pub const HRBFNPR_PICTURE_KEEP_MARKS: u32 = 32;
 pub const HRBFNPR_PICTURE_SURFACE_ONLY: u32 = 64;
 /// says that the source is a part of a solid, so that up is y
 pub const HRBFNPR_PICTURE_IS_SOLID: u32 = 128;
+/// compares all lines with rays, and repairs wrong parts (verify_lines of the style); a note
+/// has the counts
+pub const HRBFNPR_PICTURE_VERIFY: u32 = 256;
 
 // Which edges of a mesh are sharp.
 /// edges are found as with AUTO. Where faces are coarse, the normals of the file decide if
@@ -5786,6 +5811,9 @@ pub const HRBFNPR_NOTE_NO_GROUND: u32 = 77;
 pub const HRBFNPR_NOTE_PALETTE_CHOSEN: u32 = 78;
 /// borders of shadows are to be drawn, and no light casts shadows []
 pub const HRBFNPR_NOTE_NO_SHADOWS: u32 = 79;
+/// rays were compared with all parts of lines [decided parts, those that agree, undecided
+/// parts, repaired parts]
+pub const HRBFNPR_NOTE_LINES_VERIFIED: u32 = 95;
 
 /// A note: something that was chosen, repaired, left out or measured, or that may be wrong.
 #[repr(C)]
@@ -5945,7 +5973,7 @@ pub struct hrbfnpr_picture_desc {
     pub tolerance: f64,
     /// the most samples that are chosen, 0 or more; default 0 = 8000 for a mesh, and no limit for points
     pub maximum_centres: i64,
-    /// parts of a mesh that are kept, HRBFNPR_PARTS_...; default OUTER
+    /// parts of a mesh that are kept, HRBFNPR_PARTS_...; default AUTO
     pub parts: u32,
     /// edges of a mesh that are sharp, HRBFNPR_PICTURE_EDGES_...; default AS_GIVEN
     pub edges: u32,
@@ -6470,6 +6498,9 @@ pub const HRBFNPR_VIEWS_LABELS: u32 = 2;
 /// says that the format of the source is in metres, as glTF is. A unit_mm of 0 then means
 /// 1000, and a note UNIT_IS_METRE says so
 pub const HRBFNPR_VIEWS_UNIT_IS_METRE: u32 = 4;
+/// compares all drawn lines with rays, and repairs wrong pieces. hrbfnpr_views_info, a note
+/// LINES_VERIFIED and, unless `page` has one, the page's description have the counts
+pub const HRBFNPR_VIEWS_VERIFY: u32 = 8;
 
 // Where views stand [ISO 5456-2].
 /// first angle: the left view stands at the right, the top view below
@@ -6565,6 +6596,14 @@ pub struct hrbfnpr_views_info {
     pub scale_text: [c_char; 64],
     /// paper, such as "a3" or "297 x 210"
     pub paper: [c_char; 64],
+    /// with VERIFY, drawn pieces of lines that rays were compared with
+    pub pieces: i64,
+    /// pieces of which all decided rays show what is drawn
+    pub agreeing: i64,
+    /// pieces without a decided ray: they are within 0.05 mm of an edge, in the view or in depth
+    pub undecided: i64,
+    /// pieces that were divided, or drawn otherwise, because rays disagreed
+    pub repaired: i64,
 }
 
 extern "C" {
@@ -6575,9 +6614,11 @@ extern "C" {
     ) -> hrbfnpr_status;
     /// Writes a sheet of views of a picture's first part, which must have a model.  A picture
     /// made with SURFACE_ONLY is
-    /// enough.  `desc`, `info` and `operation` may be NULL.  The picture gets stages LINES and
-    /// VIEWS, and notes
-    /// UNIT_IS_METRE, NO_SYMMETRY and SECTION_OPEN.
+    /// enough, and its model has the cavities of a mesh; others may need SOLIDS as `parts`.
+    /// `desc`, `info` and `operation`
+    /// may be NULL.  The picture gets stages LINES and VIEWS, and notes UNIT_IS_METRE,
+    /// NO_SYMMETRY, SECTION_OPEN and
+    /// LINES_VERIFIED.
     /// Errors: INVALID_ARGUMENT (a picture of a point set; a text that is not understood; a plane
     /// that misses the model;
     /// views that have no room on the paper at the scale: the message names a scale or paper with
