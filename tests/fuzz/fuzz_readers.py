@@ -32,7 +32,7 @@ WORDS = [
     b"-nan", b"inf", b"-infinity", b"0x10", b"1_000", b"1.5", b".", b"-", b"+", b"1e", b"", b"9" * 400, b"9" * 5000,
     b"true", b"null", b"[]", b"{}", b'""', b"[" * 2000, b'{"a":' * 2000, b"\xff", b"\0", b"\xe2\x82\xac", b"float",
     b"list", b"char", b"double", b"int64", b"element", b"property", b"end_header", b"v", b"f", b"vn", b"\\\n", b"\n",
-    b"\r", b"#", b"//", b"NaN", b"Infinity", b"\x1f\x8b", b"ply", b"OFF", b"solid", b"DATA", b"FIELDS", b"P2 1 1 1 ",
+    b"\r", b"#", b"//", b"NaN", b"Infinity", b"1.#IND", b"nan(ind)", b"\x1f\x8b", b"ply", b"OFF", b"solid", b"DATA", b"FIELDS", b"P2 1 1 1 ",
     b"ncols",
 ]  # fmt: skip
 

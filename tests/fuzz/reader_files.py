@@ -7,6 +7,8 @@ import json
 import struct
 import zipfile
 
+import numpy as np
+
 VERTICES = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
 QUADS = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
 TRIANGLES = [three for a, b, c, d in QUADS for three in ((a, b, c), (a, c, d))]
@@ -152,16 +154,19 @@ def glb(text, data):
     return head + text + struct.pack("<I4s", len(data), b"BIN\0") + data
 
 
-def las(version=2):
+def las(version=2, form=0):
+    """A LAS file whose coordinate system is in degrees, with a class for each point."""
+    data = b"GEOGCS[]"
+    record = struct.pack("<H16sHH32s", 0, b"LASF_Projection", 2112, len(data), b"") + data
     head = bytearray(375 if version == 4 else 227)
     head[:4], head[24], head[25] = b"LASF", 1, version
-    struct.pack_into("<IBBHI", head, 96, len(head), 0, 0, 0, 0)
-    struct.pack_into("<I", head, 96, len(head))
-    struct.pack_into("<BHI", head, 104, 0, 20, 0 if version == 4 else 8)
+    size = 30 if form == 6 else 20
+    struct.pack_into("<HIIBHI", head, 94, len(head), len(head) + len(record), 1, form, size, 0 if version == 4 else 8)
     struct.pack_into("<6d", head, 131, 0.1, 0.1, 0.1, 5, 6, 7)
     if version == 4:
         struct.pack_into("<Q", head, 247, 8)
-    return bytes(head) + b"".join(struct.pack("<3i8x", *v) for v in VERTICES)
+    places = (struct.pack("<3i3xBB", *v, i % 6, i % 6) for i, v in enumerate(VERTICES))
+    return bytes(head) + record + b"".join(place.ljust(size, b"\0") for place in places)
 
 
 def ptx(points=VERTICES, columns=2, turn=((1, 0, 0), (0, 1, 0), (0, 0, 1)), stood=(0, 0, 0), more="0.5"):
@@ -226,6 +231,26 @@ def mf3_model(build='<item objectid="1"/>', resources=""):
     return f"{head}<resources>{objects}</resources><build>{build}</build></model>"
 
 
+def lattice():
+    """The XML of a 3MF file with beams and a ball at the corners of the cube."""
+    beams = '<b:beam v1="0" v2="1"/><b:beam v1="1" v2="7" r1="0.1" r2="0.2" cap1="butt"/>'
+    said = 'radius="0.1" minlength="0.01" cap="sphere" ballmode="mixed" ballradius="0.2"'
+    more = f'<b:beamlattice {said}><b:beams>{beams}</b:beams><b:balls><b:ball vindex="3" r="0.3"/></b:balls></b:beamlattice>'
+    return mf3_model().replace("</mesh>", more + "</mesh>")
+
+
+def npy():
+    data = io.BytesIO()
+    np.save(data, np.arange(120.0).reshape(10, 12)[:, :10])
+    return data.getvalue()
+
+
+def npz():
+    data = io.BytesIO()
+    np.savez(data, z=np.arange(12.0).reshape(3, 4), x=np.arange(4.0), y=np.arange(3.0))
+    return data.getvalue()
+
+
 def mf3(model=None, name="3D/3dmodel.model", target=None, more=()):
     kind = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
     relations = "http://schemas.openxmlformats.org/package/2006/relationships"
@@ -266,7 +291,10 @@ def files():
         "cube.gltf": gltf(), "cube.glb": glb(*gltf_document()),
         "packed.glb": glb(*packed_document()), "little.off": off_binary(), "big.off": off_binary(">"),
         "cube.las": las(), "cube_4.las": las(4), "grid.asc": grid(), "text.pgm": pgm(False), "binary.pgm": pgm(True),
-        "cube.3mf": mf3(), "cube.amf": amf(), "cube.ptx": ptx(),
+        "classes.las": las(4, 6), "heights.npy": npy(), "heights.npz": npz(), "beams.3mf": mf3(lattice()),
+        "stream.off": off().replace(b" ", b"\n"), "map.csv": ("Lat,Lon,Height\n" + rows(VERTICES, mark=",")).encode(),
+        "laser.txt": ("# 1: shot\n# 2: x\n# 3: y\n# 4: z [m]\n" + rows([(i,) for i in range(8)], VERTICES)).encode(),
+        "windows.obj": obj().replace(b"v 0", b"v 1.#IND"), "cube.3mf": mf3(), "cube.amf": amf(), "cube.ptx": ptx(),
         "cube.vtk": vtk(), "cube.vtp": vtp(), "cube.vtu": vtu(), "plain.xyz": table.encode(),
         "comma.csv": numbered.encode(), "decimal.txt": table.replace("1", "1,5").replace(" ", "\t").encode(),
         "meshlab.pts": ("8\n" + table).encode(), "cloud.asc": ("//X Y Z Nx Ny Nz\n" + table).encode(),

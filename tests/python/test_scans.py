@@ -295,6 +295,44 @@ def test_classes_of_las(tmp_path, form):
         shapes.read(write(tmp_path, "a.xyz", lines(POINTS)), [2])
 
 
+class Laspy:
+    """A stand-in for laspy: two chunks of the points."""
+
+    number = np.repeat([2, 3, 5, 6, 7, 9], 10)
+    names = ("X", "intensity", "classification", "withheld")
+
+    def __init__(self, path):
+        self.header = types.SimpleNamespace(point_count=60, point_format=types.SimpleNamespace(dimension_names=self.names))
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *error):
+        pass
+
+    def chunk_iterator(self, size):
+        for part in (slice(0, 25), slice(25, 60)):
+            class Chunk(dict):
+                x, y, z = POINTS[part].T
+
+            yield Chunk(intensity=np.arange(60)[part], classification=self.number[part], withheld=np.arange(60)[part] % 10 == 0)
+
+
+def test_laz_by_its_package(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "laspy", types.SimpleNamespace(open=Laspy))
+    path = write(tmp_path, "a.laz", las(4, 0x86))
+    shape = shapes.read(path)
+    kept = np.isin(Laspy.number, [2, 9]) & (np.arange(60) % 10 > 0)
+    np.testing.assert_allclose(shape.points, POINTS[kept])
+    np.testing.assert_array_equal(shape.fields["intensity"].values, np.flatnonzero(kept))
+    assert "only the ground is read, 18 of 45 points" in shape.notes[2] and shape.format == "LAZ"
+    assert len(shapes.read(path, [6]).points) == 9 and len(shapes.read(path, []).points) == 54
+    monkeypatch.setattr(Laspy, "names", ("X", "intensity"))  # no classes
+    assert len(shapes.read(path).points) == 60
+    degrees = shapes.read(write(tmp_path, "b.laz", las(4, 0x86, records=[(2112, GEOGRAPHIC)])))
+    np.testing.assert_allclose(np.ptp(degrees.points[:, 1]), 111_320 * np.ptp(POINTS[:, 1]))
+
+
 class E57:
     """A stand-in for the class of pye57, which reads no normals: two scans.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import tokenize
 import zipfile
 import zlib
 from typing import Any, Dict, Optional, Tuple
@@ -75,7 +76,7 @@ def _fields(arrays: Dict[str, Any], count: int) -> Dict[str, PointValues]:
 def _loaded(data: bytes) -> Any:
     try:
         return np.load(io.BytesIO(data), allow_pickle=False)
-    except (ValueError, OSError, EOFError, zipfile.BadZipFile, MemoryError) as error:
+    except (ValueError, OSError, EOFError, zipfile.BadZipFile, MemoryError, SyntaxError, tokenize.TokenError) as error:
         raise ShapeError(f"not a usable NumPy file: {_first_line(error)}") from None
 
 

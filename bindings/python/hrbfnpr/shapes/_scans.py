@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import struct
 from contextlib import closing
 from pathlib import Path
@@ -30,9 +31,9 @@ def read_las(path: Path, hints: Hints = Hints()) -> Shape:
     """Read a LAS file, or a LAZ file with laspy."""
     with open(path, "rb") as file:
         head = file.read(375)
-        said = None if len(head) < _HEADER else _says_degrees(file, head)
-    if head[:4] != b"LASF" or len(head) < _HEADER:
-        raise ShapeError("not a LAS file, or its header is cut short")
+        if head[:4] != b"LASF" or len(head) < _HEADER:
+            raise ShapeError("not a LAS file, or its header is cut short")
+        said = _says_degrees(file, head)
     offset, form, length, count = struct.unpack_from("<I4xBHI", head, 96)
     scale, shift = struct.unpack_from("<3d", head, 131), struct.unpack_from("<3d", head, 155)
     if head[25] >= 4 and count == 0 and len(head) >= 255:  # version 1.4 has a second, 64-bit count
@@ -87,15 +88,16 @@ def _there(path: Path, head: bytes, offset: int, length: int, said: int) -> int:
 def _says_degrees(file: Any, head: bytes) -> Optional[bool]:
     """What the coordinate system of a LAS file says, in WKT or in keys of GeoTIFF; None if it has none."""
     (size,), (count,) = struct.unpack_from("<H", head, 94), struct.unpack_from("<I", head, 100)
+    end = file.seek(0, os.SEEK_END)
     lists = [(size, count, 54, "<20xH")]  # records after the header: an identifier, a length, and the data after a description
     if head[25] >= 4 and len(head) >= 247:
         lists.append((*struct.unpack_from("<QI", head, 235), 60, "<20xQ"))
     for place, number, fixed, layout in lists:
         for _ in range(min(number, _MOST_RECORDS)):
+            if place + fixed > end:
+                break
             file.seek(place)
             record = file.read(fixed)
-            if len(record) < fixed:
-                break
             (length,) = struct.unpack_from(layout, record)
             which = struct.unpack_from("<H", record, 18)[0] if record[2:18].startswith(b"LASF_Projection") else 0
             if which in (_WKT, _KEYS):
