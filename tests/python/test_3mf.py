@@ -116,7 +116,7 @@ def test_many_beams_have_few_sides(tmp_path, monkeypatch):
     path = write(tmp_path, "a.3mf", mf3(lattice(one * 500)))
     assert len(shapes.read(path).triangles) < 200_000
     monkeypatch.setattr("hrbfnpr.shapes._3mf.MOST_CAPSULES", 400)
-    with pytest.raises(shapes.ShapeError, match="has 500 beams; 400 can be drawn"):
+    with pytest.raises(shapes.ShapeError, match="has 500 beams; 400 can be drawn: export"):
         shapes.read(path)
 
 

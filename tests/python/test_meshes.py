@@ -30,9 +30,10 @@ def test_ply_lists_with_invalid_numbers_are_refused(tmp_path):
     with pytest.raises(shapes.ShapeError, match="line 9: the PLY header has lists whose length is a float"):
         shapes.read(write(tmp_path, "a.ply", data + bytes(64)))
     data = ply_header("binary_little_endian", points, ("face", 1, ["list uchar float vertex_indices"]))
-    data += bytes(36) + struct.pack("<B3f", 3, 0, 1, float("nan"))
-    with pytest.raises(shapes.ShapeError, match="a list 'vertex_indices' with something that is not a number"):
-        shapes.read(write(tmp_path, "b.ply", data))
+    for odd in (float("nan"), 1e30):
+        corners = bytes(36) + struct.pack("<B3f", 3, 0, 1, odd)
+        with pytest.raises(shapes.ShapeError, match="a list 'vertex_indices' with something that is not a number, or too large"):
+            shapes.read(write(tmp_path, "b.ply", data + corners))
 
 
 def test_wrong_indices_are_named_with_line_and_column(tmp_path):

@@ -193,7 +193,8 @@ class _Reader:
             radii.append([_value(ball, "r", number, float, said.get("ballradius", said.get("radius")))] * 2)
             flat.append([False, False])
         if len(ends) > MOST_CAPSULES:
-            raise ShapeError(f"the lattice of object {number!r} of the 3MF file has {len(ends)} beams; {MOST_CAPSULES} can be drawn")
+            what = f"the lattice of object {number!r} of the 3MF file has {len(ends)} beams"
+            raise ShapeError(f"{what}; {MOST_CAPSULES} can be drawn: export it as a mesh")
         corners, thick = np.array(ends, dtype=np.int64).reshape(-1, 2), np.array(radii, dtype=np.float64).reshape(-1, 2)
         if len(corners) and not (0 <= corners.min() and corners.max() < len(points)):
             raise ShapeError(f"a beam of object {number!r} of the 3MF file names a vertex that it lacks; it has {len(points)}")

@@ -38,7 +38,7 @@ def read_npz(data: bytes) -> Shape:
     archive = _loaded(data)
     try:
         arrays: Dict[str, Any] = {name.lower(): archive[name] for name in archive.files}
-    except (ValueError, OSError, EOFError, zipfile.BadZipFile, zlib.error) as error:
+    except (ValueError, OSError, EOFError, RuntimeError, zipfile.BadZipFile, zlib.error) as error:
         raise ShapeError(f"not a usable NPZ file: {_first_line(error)}") from None
     place, normal, face = (_first(arrays, names) for names in (_POINTS, _NORMALS, _FACES))
     heights = _first(arrays, _HEIGHTS)
@@ -76,7 +76,8 @@ def _fields(arrays: Dict[str, Any], count: int) -> Dict[str, PointValues]:
 def _loaded(data: bytes) -> Any:
     try:
         return np.load(io.BytesIO(data), allow_pickle=False)
-    except (ValueError, OSError, EOFError, zipfile.BadZipFile, MemoryError, SyntaxError, tokenize.TokenError) as error:
+    except (ValueError, OSError, EOFError, zipfile.BadZipFile, RuntimeError, MemoryError, SyntaxError,
+            tokenize.TokenError) as error:  # fmt: skip
         raise ShapeError(f"not a usable NumPy file: {_first_line(error)}") from None
 
 

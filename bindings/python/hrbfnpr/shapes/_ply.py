@@ -2,7 +2,6 @@
 """Reads PLY: any elements, any types, ASCII and binary, faces as polygons or triangle strips."""
 from __future__ import annotations
 
-import math
 import struct
 from dataclasses import dataclass, field
 from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
@@ -23,6 +22,7 @@ _TYPES = {
 }  # fmt: skip
 _CODES = {"i1": "b", "u1": "B", "i2": "h", "u2": "H", "i4": "i", "u4": "I", "f4": "f", "f8": "d"}  # the codes of `struct`
 _FORMATS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
+_LARGEST_INDEX = 2.0**62
 _LIST_NAMES = ("vertex_indices", "vertex_index")
 
 
@@ -303,8 +303,8 @@ class _Binary:
             if count < 0:
                 raise ShapeError(f"the PLY file has a list of {count} numbers")
             numbers = self._unpack(kind, count, element)
-            if length and not all(map(math.isfinite, numbers)):
-                raise ShapeError(f"the PLY file has a list {name!r} with something that is not a number")
+            if length and not all(abs(number) < _LARGEST_INDEX for number in numbers):  # false for NaN, too
+                raise ShapeError(f"the PLY file has a list {name!r} with something that is not a number, or too large")
             values[name] = [int(n) for n in numbers] if length else numbers[0]
         return values
 
