@@ -135,6 +135,7 @@ def test_broken_tables(tmp_path, name, text, words):
         ("3\n1 2 3\n4 5 6\n7 8", 2, ["the file ends within its last line, which is left out",
                                     "the file says 3 points, but it has 2: these are read"]),
         ("1 2 3\n4 5 6\n7", 2, ["the file ends within its last line, which is left out"]),
+        ("x,y,z,name\n1,2,3,one\n4,5,6,two\n7,8", 2, ["the file ends within its last line, which is left out"]),
     ],
 )  # fmt: skip
 def test_tables_with_a_wrong_count(tmp_path, text, points, notes):
@@ -160,6 +161,7 @@ LASER = np.column_stack([GREY + 100, GREY / 10, POINTS])  # the number of a shot
         "# 1: shot\n# 2: time [s]\n# 3: x [m]\n# 4: y [m]\n# 5: z [m]",
         "# column 0 = shot\n# column 1 = time\n# column 2 = East\n# column 3 = North\n# column 4 = ellipsoidal height",
         "shot time Eastings Northings Height",
+        "# shot, time, GPS East, GPS North, Orthometric Height (m)",
     ],
 )
 def test_names_in_comments(tmp_path, heading):

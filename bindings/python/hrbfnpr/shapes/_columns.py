@@ -13,11 +13,12 @@ from ._shape import Floats
 _MAPS = (
     (r"east(?:ings?)?", r"north(?:ings?)?"),
     (r"e", r"n"),
+    (r"(?:\w+[_ ])?east(?:ings?)?(?:[_ ]\w+)?", r"(?:\w+[_ ])?north(?:ings?)?(?:[_ ]\w+)?"),
     (r"(?:gps[_ ]?)?(?:lon|long|lng|longitude)", r"(?:gps[_ ]?)?(?:lat|latitude)"),
     (r"(?:\w+[_ ])?[a-z]?(?:lon|longitude)(?:[_ ]\w+)?", r"(?:\w+[_ ])?[a-z]?(?:lat|latitude)(?:[_ ]\w+)?"),
 )
 _HEIGHT = r"(?:elevation|elev|ele|height|hgt|altitude|alt)"
-_HEIGHTS = (_HEIGHT, "h", rf"(?:gps|ellipsoidal|orthometric)[_ ]?{_HEIGHT}|{_HEIGHT}[_ ]\w+|[hz]_\w+|z[gt]|hae")
+_HEIGHTS = (_HEIGHT, "h", rf"(?:[\w ]+[_ ])?{_HEIGHT}(?:[_ ][\w ]+)?|[hz]_\w+|z[gt]|hae")
 _UNIT_OF_NAME = r"[_ ](?:m|metres?|meters?|mm|cm|km|ft|feet|deg|degrees?|dd|utm|wgs[_ ]?84)$"
 _COLOURS = {"r": "red", "g": "green", "b": "blue", "red": "red", "green": "green", "blue": "blue"}
 _AXIS = {"0": "x", "1": "y", "2": "z", "x": "x", "y": "y", "z": "z"}

@@ -48,7 +48,8 @@ def read_xyz(data: bytes, hints: Hints = Hints()) -> Shape:
     notes: Tuple[str, ...] = ()
     if decimal_comma:
         body, notes = body.replace(b",", b"."), ("commas are read as decimal marks",)
-    body = body.rstrip()
+    body, cut = _without_cut_line(body.rstrip(), data, len(_words(head.first, separator)), separator)
+    notes = (*notes, *cut)
     if head.columns is not None or _has_gaps(body, separator):
         names = head.columns.names if head.columns else None
         table, names = _split(body, head.line, separator, names)
@@ -57,8 +58,7 @@ def read_xyz(data: bytes, hints: Hints = Hints()) -> Shape:
         twice = _points_then_normals(rows, head.points)
         if twice is not None:
             return twice
-        rows, cut = _without_cut_line(rows, data)
-        table, names, notes = _even(rows), None, (*notes, *cut)
+        table, names = _even(rows), None
     about = about_count(head.points, len(table))
     if about and hints.normals and table.shape[1] == 3:  # half of the lines are normals, but which?
         raise ShapeError(f"the first line says {head.points} points, but {len(table)} lines of 3 numbers follow")
@@ -210,12 +210,12 @@ def _chosen(rows: Rows, keep: Any) -> Rows:
     return Rows(rows.values[np.repeat(keep, rows.counts)], rows.counts[keep], rows.lines[keep])
 
 
-def _without_cut_line(rows: Rows, data: bytes) -> Tuple[Rows, Tuple[str, ...]]:
-    """The rows without the last one if the file ends within it, and a note."""
-    if len(rows.counts) < 2 or data[-1:] in b"\r\n" or rows.counts[-1] >= rows.counts[0]:
-        return rows, ()
-    keep = np.arange(len(rows.counts)) < len(rows.counts) - 1
-    return _chosen(rows, keep), ("the file ends within its last line, which is left out",)
+def _without_cut_line(body: bytes, data: bytes, width: int, separator: bytes) -> Tuple[bytes, Tuple[str, ...]]:
+    """The lines without the last one if the file ends within it, and a note."""
+    before, _, last = body.rpartition(b"\n")
+    if not before or data[-2:].strip(b"\0")[-1:] in b"\r\n" or len(_words(last, separator)) >= width:
+        return body, ()
+    return before.rstrip(), ("the file ends within its last line, which is left out",)
 
 
 def _even(rows: Rows) -> Floats:
