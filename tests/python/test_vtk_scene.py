@@ -193,6 +193,13 @@ def test_data_becomes_surfaces():
         assert [0 if one.triangles is None else len(one.triangles) for one in found.shapes] == faces
         assert found.camera is None and not found.is_window
     np.testing.assert_allclose(found.shapes[0].normals, places)
+    named = cloud.GetPointData().GetNormals()
+    named.SetName("Normals")
+    cloud.GetPointData().SetActiveAttribute(-1, 2)  # no active normals
+    assert cloud.GetPointData().GetNormals() is None
+    (shape,) = _vtk_scene.scene_in(cloud).shapes
+    np.testing.assert_allclose(shape.normals, places)
+    assert list(shape.fields) == ["rgb"]
     assert [len(one.triangles) for one in _vtk_scene.scene_in(actor_of(ball())).shapes] == [24 * 14 * 2]
     mapper, actor = vtkDataSetMapper(), vtkActor()
     mapper.SetInputData(grid)

@@ -51,13 +51,20 @@ def scene_of(vtk: Any, importer: Any) -> Any:
     return together.GetOutput()
 
 
+def normals_of(attributes: Any) -> Any:
+    """The active normals, or those by the name that PyVista and filters of VTK give them; None if there are none."""
+    named = attributes.GetArray("Normals")
+    given = attributes.GetNormals()
+    return given if given is not None else named if named is not None and named.GetNumberOfComponents() == 3 else None
+
+
 def values_of(to_numpy: Any, attributes: Any) -> Dict[str, Any]:
     """The arrays of points or cells that hold one number, or three or four, for each."""
     found: Dict[str, Any] = {}
     for i in range(attributes.GetNumberOfArrays()):
         array = attributes.GetArray(i)
         name = attributes.GetArrayName(i)
-        if array is None or not name or name.startswith("vtk") or array is attributes.GetNormals():
+        if array is None or not name or name.startswith("vtk") or array is normals_of(attributes):
             continue
         if array.GetNumberOfComponents() in (1, 3, 4) and array.GetNumberOfTuples():
             found[name] = to_numpy(array)
@@ -70,7 +77,7 @@ def arrays_of(vtk: Any, to_numpy: Any, polygons: Any) -> Dict[str, Any]:
     `polygons` and `strips` are rows of integers: for each face or triangle its number of corners, and then the corners.  The
     values of faces are those of all polygons and then of all strips.  Arrays are empty if there is nothing in them.
     """
-    normals = polygons.GetPointData().GetNormals()
+    normals = normals_of(polygons.GetPointData())
     points = polygons.GetPoints()
     strips = vtk.vtkPolyData()  # only strips are cut here
     strips.SetPoints(points)
