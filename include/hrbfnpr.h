@@ -4216,7 +4216,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_source_inspect(hrbfnpr_context* context, cons
  * "quality:0.2..0.9"; else they are the least and the greatest value that is finite.  Outliers do not count for this:
  * values farther from the inner 96 % than a quarter of the range of these.  "-quality" turns this round.
  * A colour in place of a number is its luminance, as in HRBFNPR_FIELD_SOURCE_IMAGE.  An ink_field without a palette
- * gets one of three inks, which a note names.
+ * gets one of three inks, or of up to eight if there are no more hues; a note names them.
  *
  * Errors: INVALID_ARGUMENT (a field of `desc`; a source that cannot be drawn), SINGULAR_SYSTEM, NOT_CONVERGED,
  * OUT_OF_MEMORY, CANCELLED, CALLBACK. */

@@ -4,7 +4,8 @@
 import inspect
 
 GROUPS = (
-    ("call", "In one call", ("draw", "from_pyvista", "Picture", "animate", "Animation", "widget", "Viewer", "matplotlib_show", "DrawingWarning")),
+    ("call", "In one call", ("draw", "from_pyvista", "Picture", "animate", "Animation", "widget", "Viewer", "matplotlib_show",
+                              "DrawingWarning")),
     ("model", "Models", ("Model", "Mesh", "orient", "farthest_points", "CsgInfo", "Evaluation", "Projection", "Curvature",
                          "RayHits", "ModelInfo", "TrimInfo", "Oriented", "OrientInfo", "Comparison", "MeshSamples",
                          "MeshInfo", "MeshFitInfo")),

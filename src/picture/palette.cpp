@@ -55,13 +55,26 @@ Hue mean_of(const Vector<Hue>& colours) noexcept {
     return sum;
 }
 
+// Returns the largest number of inks. If there are only a few hues, each can have its own ink.
+std::size_t most_inks(const Vector<Hue>& hues, Pool& pool) {
+    Vector<Hue> few(&pool);
+    const double same = palette_tuning.same_hue * palette_tuning.same_hue;
+    for (const Hue& hue : hues) {
+        if (!few.empty() && squared_distance(hue, few[nearest_of(few, hue)]) <= same) continue;
+        if (few.size() == palette_tuning.few_inks) return palette_tuning.inks;
+        few.push_back(hue);
+    }
+    return palette_tuning.few_inks;
+}
+
 // Returns the colours that groups start from: the one farthest from the mean, then the one farthest from those before,
 // while they differ visibly.
 Vector<Hue> first_middles(const Vector<Hue>& colours, Pool& pool) {
     Vector<Hue> middles(&pool);
+    const std::size_t most = most_inks(colours, pool);
     const Hue mean = mean_of(colours);
     const double least = palette_tuning.least_difference * palette_tuning.least_difference;
-    while (middles.size() < palette_tuning.inks) {
+    while (middles.size() < most) {
         const auto distance = [&](const Hue& colour) {
             return squared_distance(colour, middles.empty() ? mean : middles[nearest_of(middles, colour)]);
         };

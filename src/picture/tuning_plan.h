@@ -56,6 +56,12 @@ inline constexpr LineStyleTuning line_style_tuning;
 struct PaletteTuning {
     // The largest number of inks. Larger: colours are shown more faithfully, by more pens.
     std::size_t inks = 3;
+    // The largest number of hues that each get an ink. Larger: more pens for coloured parts; at most the inks of a
+    // style.
+    std::size_t few_inks = 8;
+    // Hues nearer than this in Oklab are the same hue. Larger: many hues pass for a few. Set on colours that rounding
+    // changes.
+    double same_hue = 0.005;
     // The least difference between the hues of two inks, in Oklab. Larger: fewer inks.
     double least_difference = 0.04;
     // The number of times that groups of colours are formed anew. Larger: slower, and after some rounds no difference.

@@ -57,5 +57,18 @@ TEST_F(PaletteTest, ColoursOfOneHueGetOneInk) {
     EXPECT_EQ(inks_of(colours, pool).size(), 2U);
 }
 
+TEST_F(PaletteTest, AFewHuesEachGetAnInk) {
+    for (int i = 0; i < 6; ++i) {
+        const double turn = i * 2.0 * 3.14159265 / 6.0;
+        std::array<float, 3> colour{};
+        for (std::size_t k = 0; k < 3; ++k)
+            colour[k] = static_cast<float>(0.5 + 0.4 * std::cos(turn + 2.0944 * static_cast<double>(k)));
+        for (int repeat = 0; repeat < 40; ++repeat) colours.push_back(colour);
+    }
+    EXPECT_EQ(inks_of(colours, pool).size(), 6U);
+    add({0.8F, 0.2F, 0.15F}, 60); // Many hues share three inks.
+    EXPECT_EQ(inks_of(colours, pool).size(), 3U);
+}
+
 } // namespace
 } // namespace picture_tests::palette_test
