@@ -97,9 +97,10 @@ def contour(width, **fields):
     return {"kind": "contour", "width": width, **fields}
 
 
-def with_creases(line, width):
-    """A contour style, and a style for the creases of a surface that has them: thinner, and not heavier on outlines."""
-    return [line, {**line, "kind": "crease", "width": width, "outline_factor": 1.0}]
+def with_creases(line, width, *more):
+    """A contour style, and styles for creases and for the intersections of items: thinner, and not heavier on outlines."""
+    return [line, {**line, "kind": "crease", "width": width, "outline_factor": 1.0}, *more,
+            {**line, "kind": "intersection", "width": width, "outline_factor": 1.0}]
 
 
 def pencil(width, wobble, seed, **fields):
@@ -118,8 +119,8 @@ SOFT = {"taper": 24.0, "lower": 15.0, "upper": 60.0}
 
 def with_edges(line, crease, soft):
     """As with_creases(), and a style for soft edges, which are thinner still, narrow to their ends, and do not show hidden parts."""
-    return [*with_creases(line, crease),
-            {**line, "kind": "soft_edge", "width": soft, "outline_factor": 1.0, "hidden": "none", **SOFT}]
+    return with_creases(line, crease, {**line, "kind": "soft_edge", "width": soft, "outline_factor": 1.0,
+                                       "hidden": "none", **SOFT})
 
 
 PLAIN_LINES = with_edges(contour(2.2), 1.4, 1.1)
@@ -253,7 +254,7 @@ PRESETS = [
         layers=[pencilled(0.20, 0.70, 0.26, 1, "hatch-1"), pencilled(0.50, 0.92, 0.28, 2, "hatch-2"),
                 pencilled(0.20, 0.92, 0.28, 3), hidden("any", ink=GRAPHITE)],
         lines=[pencil(2.2, 0.7, 1), pencil(1.4, 2.5, 2), {**pencil(1.6, 0.7, 3), "kind": "crease"},
-               {**pencil(1.1, 0.7, 4), "kind": "soft_edge", **SOFT}],
+               {**pencil(1.1, 0.7, 4), "kind": "soft_edge", **SOFT}, {**pencil(1.6, 0.7, 3), "kind": "intersection"}],
         style={"silhouette_radius": 1.2, "silhouette_ink": GRAPHITE, "hidden_lines": "hide", "paper": WARM_PAPER,
                "halo_width": 0.0},
     ),
@@ -265,7 +266,7 @@ PRESETS = [
         marks=[STIPPLES],
         layers=[hidden("any", ink=CHALK)],
         lines=[blueprint("contour", 1.5, 1.6), blueprint("border", 1.5, 1.6), blueprint("own", 1.1, 1.0, "crease"),
-               blueprint("crease", 1.1, 1.0)],
+               blueprint("crease", 1.1, 1.0), blueprint("intersection", 1.1, 1.0)],
         style={"silhouette_radius": 1.2, "silhouette_ink": CHALK, "paper": BLUE_PAPER, **PALE},
     ),
     Preset(
@@ -279,7 +280,7 @@ PRESETS = [
                          hatch_spacing=3.2, hatch_fade=0.1), hidden("any")],
         # The outline is heavy.  Ridges between scars are thin lines.
         lines=[contour(1.8, outline_factor=1.8), {"kind": "ridge", "width": 1.2, "taper": 20.0, "shortest": 12.0},
-               {"kind": "crease", "width": 1.2}],
+               {"kind": "crease", "width": 1.2}, {"kind": "intersection", "width": 1.2}],
         style={"silhouette_radius": 1.2, "light": UPPER_LEFT, "hidden_lines": "hide"},
     ),
 ]

@@ -1872,11 +1872,16 @@ enum {
     HRBFNPR_LINE_KIND_TERMINATOR = 13,        /* borders between light and shade where the item turns away from a light
                                                  with a shadow, n . l = 0, and nothing else shades the place; as SHADOW
                                                  */
-    HRBFNPR_LINE_KIND_SOFT_EDGE = 14          /* edges and folds that are round, such as the worn rim of a base; once.
+    HRBFNPR_LINE_KIND_SOFT_EDGE = 14,         /* edges and folds that are round, such as the worn rim of a base; once.
                                                  Strength: the angle by which the surface turns within a few cells of
                                                  the line, less the turns beside that, in degrees.  Organic bumps,
                                                  limbs and noise have none.  `fade` of a line style makes the line
                                                  narrower and not paler */
+    HRBFNPR_LINE_KIND_INTERSECTION = 15       /* curves in which the surface of the item crosses that of another item
+                                                 with a line set.  If both items draw them, they are lines of the item
+                                                 with the smaller mesh cells.  Parts of one model meet in CREASEs.
+                                                 Strength: the mean angle between both surfaces along a curve, in
+                                                 degrees; `upper` and `fade` have no effect */
 };
 
 /* Lines to find once, when the line set is made. */
@@ -2260,9 +2265,9 @@ enum {
 };
 
 /* How the lines of one kind are drawn, for items that have a line set.  Lengths are in pixels unless a field says
- * otherwise.  Of two contours, borders, creases, ridges, valleys, suggestive contours or apparent ridges of one ink
- * that run side by side, nearer than a pen, only one keeps its width, and the other narrows and ends: the one of the
- * later kind in this list, or the thinner, or the shorter.  Items whose halo_width is 0 keep all their lines. */
+ * otherwise.  Of two contours, borders, creases, intersections, ridges, valleys, suggestive contours or apparent ridges
+ * of one ink that run side by side, nearer than a pen, only one keeps its width, and the other narrows and ends: the one
+ * of the later kind in this list, or the thinner, or the shorter.  Items whose halo_width is 0 keep all their lines. */
 typedef struct hrbfnpr_line_style {
     uint32_t struct_size;
     uint32_t kind;        /* kind of lines that this style is for, HRBFNPR_LINE_KIND_...; default CONTOUR */
@@ -2285,7 +2290,8 @@ typedef struct hrbfnpr_line_style {
                              default 1; 0 = it does not fade */
     double lower;         /* least strength at which a line goes on, as in hrbfnpr_line_desc; 0 or more; default 0.  If
                              `lower` and `upper` are 0, it is 10 for suggestive contours, 12 for apparent ridges, 15
-                             (degrees) for creases, 15 (degrees) for soft edges, and 0 for other kinds */
+                             (degrees) for creases, 15 (degrees) for soft edges, 2 (degrees) for intersections, and 0
+                             for other kinds */
     double upper;         /* strength that a line must reach somewhere to be drawn; 0 or more; default 0.  If `lower`
                              and `upper` are 0, it is 30 for suggestive contours, 25 for apparent ridges, 30 (degrees)
                              for creases, 35 (degrees) for soft edges, and 0 for other kinds */
@@ -3470,9 +3476,9 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, cons
  *
  * Ink is in named groups, the layers of a file.  The group of a layer of marks has that layer's name, such as
  * "stipples" or "hatch-2".  Groups of lines are called "contour", "suggestive", "ridge", "valley", "apparent ridge",
- * "parabolic", "isophote", "section", "border", "crease", "shadow", "terminator", "soft edge", or have the name of
- * lines of kind OWN.  Ink behind n layers of surface has " hidden n" at the end of its name.  A second layer of the
- * same name has " 2".
+ * "parabolic", "isophote", "section", "border", "crease", "shadow", "terminator", "soft edge", "intersection", or have
+ * the name of lines of kind OWN.  Ink behind n layers of surface has " hidden n" at the end of its name.  A second layer
+ * of the same name has " 2".
  *
  * Groups follow the layers of the drawing, hidden ones first.  In a group strokes are in order from far to near.  Where
  * inks of several colours lie on each other, groups begin anew with ", run 2" at the end of their names, up to 32 runs,

@@ -168,11 +168,53 @@ base::Array<std::uint8_t> find_held(const base::Runtime& runtime, const implicit
         std::uint8_t last = begin < count ? holds[first + begin] : 1;
         for (std::int64_t k = 0; k < count; ++k) {
             std::uint8_t& held = holds[first + (begin + k) % count];
-            if (curves.closed[c] == 0 && begin + k == count) last = holds[first + begin];
+            if (curves.closed[c] == 0 && begin + k == count && k > 0) last = holds[first + begin];
             held = last = held == unknown ? last : held;
         }
     }
     return holds;
+}
+
+// Returns the parts of curves at whose points `holds` is 1. They end where `beyond` changes its sign.
+template <class Beyond>
+Curves held_parts(const base::Work& work, const Level& level, const Curves& curves,
+                  const base::Array<std::uint8_t>& holds, Beyond&& beyond) {
+    base::Array<Change> changes(work.memory);
+    for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
+        if (holds[at] == holds[next]) return;
+        const double from = holds[at] != 0 ? -1.0 : 1.0;
+        changes.push_back({at, next, Illinois(from, -from, curve_tuning.trusted_steps)});
+    });
+    std::int64_t evaluations = 0;
+    const base::Array<CurvePoint> ends = find_zeros(work, level, curves, changes, beyond, evaluations);
+    Curves result(work.memory);
+    // The points of a curve and its ends, and for each point whether it is in a part.
+    base::Array<CurvePoint> points(work.memory);
+    base::Array<std::uint8_t> held(work.memory);
+    std::int64_t next = 0; // the index of the next change
+    for (std::int64_t c = 0; c < curves.count(); ++c) {
+        points.clear();
+        held.clear();
+        const auto add = [&](const CurvePoint& p, std::uint8_t holds_it) {
+            points.push_back(p);
+            held.push_back(holds_it);
+        };
+        for (std::int64_t at = curves.first[c]; at < curves.first[c + 1]; ++at) {
+            add(curves.point[at], holds[at]);
+            if (next == changes.size() || changes[next].piece != at) continue;
+            const double from_held = holds[at] != 0 ? changes[next].share : 1.0 - changes[next].share;
+            if (from_held > curve_tuning.at_point) add(ends[next], 1);
+            ++next;
+        }
+        for_parts(
+            points.size(), curves.closed[c] != 0, [&](std::int64_t i) { return held[i] != 0; },
+            [&](std::int64_t begin, std::int64_t end, bool whole) {
+                if (end - begin < 2) return;
+                for (std::int64_t i = begin; i < end; ++i) result.point.push_back(points[i % points.size()]);
+                result.end(whole);
+            });
+    }
+    return result;
 }
 
 } // namespace
@@ -269,44 +311,20 @@ Curves finer_curves(const base::Work& work, const Level& contour, const View& vi
 }
 
 Curves clip(const base::Work& work, const Level& level, const implicit::Domain& domain, const Curves& curves) {
-    const base::Array<std::uint8_t> holds = find_held(work, domain, curves);
-    const auto beyond = [&](const CurvePoint& p) { return domain.beyond(p.position, p.gradient); };
-    base::Array<Change> changes(work.memory);
-    for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
-        if (holds[at] == holds[next]) return;
-        const double from = holds[at] != 0 ? -1.0 : 1.0;
-        changes.push_back({at, next, Illinois(from, -from, curve_tuning.trusted_steps)});
-    });
-    std::int64_t evaluations = 0;
-    const base::Array<CurvePoint> ends = find_zeros(work, level, curves, changes, beyond, evaluations);
-    Curves result(work.memory);
-    // The points of a curve and its ends on the border, and for each point whether the surface exists there.
-    base::Array<CurvePoint> points(work.memory);
-    base::Array<std::uint8_t> held(work.memory);
-    std::int64_t next = 0; // the index of the next change
-    for (std::int64_t c = 0; c < curves.count(); ++c) {
-        points.clear();
-        held.clear();
-        const auto add = [&](const CurvePoint& p, std::uint8_t holds_it) {
-            points.push_back(p);
-            held.push_back(holds_it);
-        };
-        for (std::int64_t at = curves.first[c]; at < curves.first[c + 1]; ++at) {
-            add(curves.point[at], holds[at]);
-            if (next == changes.size() || changes[next].piece != at) continue;
-            const double from_held = holds[at] != 0 ? changes[next].share : 1.0 - changes[next].share;
-            if (from_held > curve_tuning.at_point) add(ends[next], 1);
-            ++next;
-        }
-        for_parts(
-            points.size(), curves.closed[c] != 0, [&](std::int64_t i) { return held[i] != 0; },
-            [&](std::int64_t begin, std::int64_t end, bool whole) {
-                if (end - begin < 2) return;
-                for (std::int64_t i = begin; i < end; ++i) result.point.push_back(points[i % points.size()]);
-                result.end(whole);
-            });
-    }
-    return result;
+    return held_parts(work, level, curves, find_held(work, domain, curves),
+                      [&](const CurvePoint& p) { return domain.beyond(p.position, p.gradient); });
+}
+
+Curves facing_parts(const base::Work& work, const Level& level, const View& view, bool by_level, bool outside,
+                    const Curves& curves) {
+    // The value is negative where the part is wanted.
+    const auto facing = [&](const CurvePoint& p) {
+        const double towards = glm::dot(by_level ? p.level_gradient : p.gradient, view.sight(p.position));
+        return outside ? towards : -towards;
+    };
+    base::Array<std::uint8_t> holds(work.memory);
+    for (const CurvePoint& p : curves.point) holds.push_back(facing(p) < 0.0 ? 1 : 0);
+    return held_parts(work, level, curves, holds, facing);
 }
 
 } // namespace hrbfnpr::curves

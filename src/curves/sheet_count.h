@@ -35,6 +35,8 @@ public:
                const geometry::VecArray& to, const base::Array<double>& clear, base::Array<Result>& answer) const;
 
     [[nodiscard]] const SurfaceMesh& mesh() const noexcept { return mesh_; }
+    // Returns a box that contains the mesh and the surface near it.
+    [[nodiscard]] const geometry::Bounds& bounds() const noexcept { return tree_.bounds(); }
     [[nodiscard]] std::int64_t bytes() const noexcept { return tree_.bytes() + bulge_.bytes(); }
 
 private:

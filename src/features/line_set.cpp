@@ -388,6 +388,7 @@ Thresholds default_thresholds(LineKind kind) noexcept {
     case LineKind::apparent_ridge: return {12.0, 25.0};
     case LineKind::crease: return {15.0, 30.0};    // in degrees
     case LineKind::soft_edge: return {15.0, 35.0}; // in degrees
+    case LineKind::intersection: return {feature_tuning.least_crossing, feature_tuning.least_crossing};
     default: return {0.0, 0.0};
     }
 }

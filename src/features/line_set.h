@@ -34,9 +34,10 @@ enum class LineKind : std::uint32_t {
     crease = 11,
     shadow = 12,
     terminator = 13,
-    soft_edge = 14
+    soft_edge = 14,
+    intersection = 15
 };
-inline constexpr std::uint32_t line_kind_count = 15;
+inline constexpr std::uint32_t line_kind_count = 16;
 // Returns whether lines of this kind are found again for each camera or light.
 [[nodiscard]] constexpr bool depends_on_view(LineKind kind) noexcept {
     return kind == LineKind::contour || kind == LineKind::suggestive_contour || kind == LineKind::apparent_ridge ||

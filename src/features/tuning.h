@@ -91,6 +91,19 @@ struct FeatureTuning {
     double longest_border_piece = 0.5;
     double shortest_border_piece = 1e-3;
 
+    // ---- Intersections of two surfaces
+
+    // A surface bulges beyond its triangles by at most this, in sides. Larger: more time; smaller: intersections of
+    // surfaces that only touch are missed.
+    double crossing_reach = 0.25;
+    // Surfaces are taken for touching, and have no intersection, if they meet at a mean angle below this, in degrees.
+    // Larger: intersections of nearly parallel surfaces are lost. Smaller: two fits of one face have intersections that
+    // are only noise.
+    double least_crossing = 2.0;
+    // Surfaces that are nearly parallel coincide where they are closer than this, in sides. Larger: a flat bump above a
+    // face has no intersection.
+    double coincident = 0.1;
+
     // ---- The set of all lines
 
     // The number of cells along the mean spacing of the seeds, or along a diagonal if no spacing is known. More: more

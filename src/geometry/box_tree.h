@@ -23,6 +23,8 @@ public:
     template <class Meets, class Visit>
     void visit(Meets&& meets, Visit&& visit) const;
 
+    // Returns the box of all items.
+    [[nodiscard]] const Bounds& bounds() const noexcept { return box_[1]; }
     [[nodiscard]] std::int64_t bytes() const noexcept { return box_.bytes(); }
 
 private:

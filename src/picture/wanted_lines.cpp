@@ -18,7 +18,7 @@ struct LineName {
 };
 
 // The kinds of lines with the names that users write.
-constexpr std::array<LineName, 26> line_names{LineName{"contour", HRBFNPR_LINE_KIND_CONTOUR},
+constexpr std::array<LineName, 28> line_names{LineName{"contour", HRBFNPR_LINE_KIND_CONTOUR},
                                               LineName{"contours", HRBFNPR_LINE_KIND_CONTOUR},
                                               LineName{"suggestive", HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR},
                                               LineName{"suggestive_contour", HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR},
@@ -43,7 +43,9 @@ constexpr std::array<LineName, 26> line_names{LineName{"contour", HRBFNPR_LINE_K
                                               LineName{"terminators", HRBFNPR_LINE_KIND_TERMINATOR},
                                               LineName{"soft", HRBFNPR_LINE_KIND_SOFT_EDGE},
                                               LineName{"soft_edge", HRBFNPR_LINE_KIND_SOFT_EDGE},
-                                              LineName{"soft_edges", HRBFNPR_LINE_KIND_SOFT_EDGE}};
+                                              LineName{"soft_edges", HRBFNPR_LINE_KIND_SOFT_EDGE},
+                                              LineName{"intersection", HRBFNPR_LINE_KIND_INTERSECTION},
+                                              LineName{"intersections", HRBFNPR_LINE_KIND_INTERSECTION}};
 
 constexpr std::array<double, 3> usual_levels{0.25, 0.5, 0.75};
 
@@ -62,7 +64,7 @@ std::uint32_t line_kind_of(std::string_view name) {
         if (is_line_name(one.name, name)) return one.kind;
     fail(Status::invalid_argument,
          "there are no lines '%.*s'; there are contour, suggestive, ridges, valleys, apparent, parabolic, isophotes, "
-         "section, border, crease, shadow, terminator, soft and none",
+         "section, border, crease, intersection, shadow, terminator, soft and none",
          shown_length(name), name.data());
 }
 
@@ -161,14 +163,15 @@ void add_styles_of(const WantedLine& wanted, const hrbfnpr_line_style& contour, 
     }
     const bool is_crease = wanted.kind == HRBFNPR_LINE_KIND_CREASE;
     const bool is_border = wanted.kind == HRBFNPR_LINE_KIND_BORDER;
+    const bool is_edge = is_border || is_crease || wanted.kind == HRBFNPR_LINE_KIND_INTERSECTION;
     hrbfnpr_line_style line = contour;
     line.kind = wanted.kind;
     // Hidden shadows would look as if they fell on what hides them.
     if (wanted.kind == HRBFNPR_LINE_KIND_SHADOW || wanted.kind == HRBFNPR_LINE_KIND_TERMINATOR)
         line.hidden = HRBFNPR_HIDDEN_PARTS_NONE;
     if (!is_border) line.outline_factor = 1.0F;
-    if (!is_border && !is_crease) line.width = scaled_line_length(line.width, line_style_tuning.fine_width);
-    if (is_border || is_crease || wanted.kind == HRBFNPR_LINE_KIND_SECTION) line.taper = 0.0F;
+    if (!is_edge) line.width = scaled_line_length(line.width, line_style_tuning.fine_width);
+    if (is_edge || wanted.kind == HRBFNPR_LINE_KIND_SECTION) line.taper = 0.0F;
     if (!wanted.levels.empty()) line.levels = style.keep_levels(wanted.levels.data(), wanted.levels.size());
     style.lines.push_back(line);
     if (!is_crease) return;

@@ -323,8 +323,9 @@ double least_gap_of(const CrossingInput& in, const LinePlace& a, const LinePlace
     if (in.lines.pieces[a.piece].line == in.lines.pieces[b.piece].line) return visibility_tuning.least_loop;
     const Subject& sa = in.subject(a.piece);
     const Subject& sb = in.subject(b.piece);
-    return sa.item == sb.item && (sa.level == nullptr || sb.level == nullptr) ? visibility_tuning.touching_gap
-                                                                              : visibility_tuning.least_gap;
+    const bool on_one_surface = sa.is_on(sb.item) || sb.is_on(sa.item);
+    return on_one_surface && (sa.level == nullptr || sb.level == nullptr) ? visibility_tuning.touching_gap
+                                                                          : visibility_tuning.least_gap;
 }
 
 // Sets all members of `crossing`. If `turn` > 0, the second direction in the image is clockwise from the first. Returns
@@ -565,7 +566,7 @@ void find_piercings_of(const PiercingScene& in, base::Array<Piercing>& found, co
     base::Array<LinePlace> wanted(memory);
     base::Array<PiercingPart> halved(memory);
     for (std::int32_t p = 0; p < in.lines.pieces.size(); ++p) {
-        if (subject_of(in.subjects, in.lines.pieces[p]).item == in.item) continue;
+        if (subject_of(in.subjects, in.lines.pieces[p]).is_on(in.item)) continue;
         wanted.push_back({p, 0.0});
         wanted.push_back({p, 1.0});
     }

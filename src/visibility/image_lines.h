@@ -34,11 +34,16 @@ struct Subject {
     double clearance = visibility_tuning.clearance;
     glm::dmat4 to_world{1.0}; // an affine transform
     std::int32_t item = 0;    // the index of the surface's item among the occluders
+    // The index of a second item on whose surface the curves lie, too, or -1.
+    std::int32_t other_item = -1;
     // The number of sheets that begin or end at these curves: 2 for a contour or for a crease that is a contour, 1 for
     // a border, 0 for other lines.
     std::int32_t sheet_change = 2;
     bool mirrored = false; // true if the image shows the surface mirrored
     bool joined = false;   // true if open curves end at other curves, for example at the corners of a crease
+
+    // Returns whether the curves lie on the surface of an item.
+    [[nodiscard]] bool is_on(std::int32_t surface) const noexcept { return surface == item || surface == other_item; }
 };
 
 // The cubic between two points of a curve.
@@ -143,9 +148,9 @@ struct Piercing {
     std::int32_t change; // the change of the number of sheets before the line, in the direction of the line: 1 or -1
 };
 
-// Finds where lines pass through the surfaces of other items. Between two places where f and its slope along the line
-// are known, f is approximated by a cubic. If this cubic may have a root, the part is halved. The result is sorted by
-// piece and share.
+// Finds where lines pass through the surfaces of items on which they do not lie. Between two places where f and its
+// slope along the line are known, f is approximated by a cubic. If this cubic may have a root, the part is halved. The
+// result is sorted by piece and share.
 [[nodiscard]] base::Array<Piercing> find_piercings(const base::Work& work, std::span<const Subject> subjects,
                                                    std::span<const Occluder> occluders, const ImageLines& lines);
 

@@ -131,7 +131,8 @@ void send_rays(const CountingInput& in, bool from_beyond, base::Array<Ray>& rays
             const glm::dvec3 way = (from_beyond ? reach : -reach) * glm::normalize(sight);
             from.set(i, !from_beyond && occluder.eye.w != 0.0 ? eye : place + way);
             to.set(i, place);
-            clear[i] = own ? subject.clearance * subject.side : 0.0;
+            const bool is_on = subject.is_on(static_cast<std::int32_t>(o));
+            clear[i] = is_on ? subject.clearance * (own ? subject.side : occluder.sheet_counter->mesh().side) : 0.0;
         }
         occluder.sheet_counter->count(in.work, *occluder.surface, from, to, clear, answers);
         HRBFNPR_ASSERT(answers.size() == rays.size());

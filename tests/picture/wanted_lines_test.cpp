@@ -94,19 +94,21 @@ TEST_F(WantedLinesTest, LinesAreSizedByThePen) {
     const Call call = plain.call();
     Style style(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, pool);
     size_lines(call, style, 2.0, true);
-    ASSERT_EQ(style.lines.size(), 4U); // They are the contour, the crease, the soft edge and the border.
+    ASSERT_EQ(style.lines.size(), 5U); // the contour, the crease, the soft edge, the intersection and the border
     EXPECT_EQ(style.lines[2].kind, std::uint32_t{HRBFNPR_LINE_KIND_SOFT_EDGE});
     EXPECT_FLOAT_EQ(style.lines[2].width, 2.2F);
     EXPECT_FLOAT_EQ(style.lines[0].width, 4.4F);
     EXPECT_FLOAT_EQ(style.lines[0].taper, 24.0F);
-    EXPECT_EQ(style.lines[3].kind, std::uint32_t{HRBFNPR_LINE_KIND_BORDER});
-    EXPECT_FLOAT_EQ(style.lines[3].width, 4.4F);
-    EXPECT_EQ(style.lines[3].taper, 0.0F);
+    EXPECT_EQ(style.lines[3].kind, std::uint32_t{HRBFNPR_LINE_KIND_INTERSECTION});
+    EXPECT_FLOAT_EQ(style.lines[3].width, 2.8F);
+    EXPECT_EQ(style.lines[4].kind, std::uint32_t{HRBFNPR_LINE_KIND_BORDER});
+    EXPECT_FLOAT_EQ(style.lines[4].width, 4.4F);
+    EXPECT_EQ(style.lines[4].taper, 0.0F);
     plain.desc.line_width = 3.0;
     const Call wider = plain.call();
     Style wide(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, pool);
     size_lines(wider, wide, 2.0, false);
-    ASSERT_EQ(wide.lines.size(), 3U);
+    ASSERT_EQ(wide.lines.size(), 4U);
     EXPECT_FLOAT_EQ(wide.lines[0].width, 3.0F);
     EXPECT_FLOAT_EQ(wide.lines[1].width, 1.9090908765792847F);
 }
@@ -126,12 +128,16 @@ TEST_F(WantedLinesTest, HiddenPartsOfShadowsAreDrawnOnlyIfAsked) {
 
 TEST_F(WantedLinesTest, RequestedLinesReplaceTheLinesOfTheStyle) {
     PlannedCall asked(HRBFNPR_PRESET_XRAY);
-    asked.desc.lines = "crease,isophotes=0.2,section";
+    asked.desc.lines = "crease,isophotes=0.2,section,intersections";
     const Call call = asked.call();
     Style style(HRBFNPR_PRESET_XRAY, pool);
     const hrbfnpr_line_style contour = style.lines[0];
     size_lines(call, style, 1.0, true);
-    ASSERT_EQ(style.lines.size(), 4U);
+    ASSERT_EQ(style.lines.size(), 5U);
+    EXPECT_EQ(style.lines[4].kind, std::uint32_t{HRBFNPR_LINE_KIND_INTERSECTION});
+    EXPECT_EQ(style.lines[4].width, contour.width);
+    EXPECT_EQ(style.lines[4].taper, 0.0F);
+    style.lines.pop_back();
     EXPECT_EQ(style.lines[0].kind, std::uint32_t{HRBFNPR_LINE_KIND_CREASE});
     EXPECT_EQ(style.lines[0].width, contour.width);
     EXPECT_EQ(style.lines[0].hidden, contour.hidden);
@@ -154,9 +160,9 @@ TEST_F(WantedLinesTest, BordersAreDrawnAsContoursAre) {
     Style style(HRBFNPR_PRESET_SKETCH, pool);
     const Vector<hrbfnpr_line_style> contours(style.lines.begin(), style.lines.begin() + 2, &pool);
     size_lines(call, style, 1.0, true);
-    ASSERT_EQ(style.lines.size(), 6U);
+    ASSERT_EQ(style.lines.size(), 7U);
     for (std::size_t i = 0; i < 2; ++i) {
-        const hrbfnpr_line_style& border = style.lines[4 + i];
+        const hrbfnpr_line_style& border = style.lines[5 + i];
         EXPECT_EQ(border.kind, std::uint32_t{HRBFNPR_LINE_KIND_BORDER});
         EXPECT_EQ(border.width, contours[i].width);
         EXPECT_EQ(border.ink[0], contours[i].ink[0]);

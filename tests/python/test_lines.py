@@ -74,8 +74,8 @@ def test_lines_of_every_kind(model, marks):
 
 def test_styles_of_lines():
     style = hrbfnpr.Style("xray")
-    assert [line.kind for line in style.lines] == ["contour", "crease"]
-    assert [line.hidden for line in style.lines] == ["dashed", "dashed"] and style.lines[1].creases == "all"
+    assert [line.kind for line in style.lines] == ["contour", "crease", "intersection"]
+    assert [line.hidden for line in style.lines] == ["dashed"] * 3 and style.lines[1].creases == "all"
     assert hrbfnpr.LineStyle("crease", creases="concave").creases == "concave"
     with pytest.raises(ValueError):
         hrbfnpr.LineStyle("crease", creases="bent")
@@ -196,3 +196,29 @@ def test_soft_edges_vanish_beside_contours(cushion):
         facing = np.abs(normal @ towards) / np.linalg.norm(normal, axis=1) / np.linalg.norm(towards)
         assert stroke["radius"][facing > 0.75].min(initial=2.0) > 1.8
         assert stroke["radius"][facing < 0.1].max(initial=0.0) < 0.3
+
+
+def test_items_that_cross_have_a_line(model, marks):
+    style = hrbfnpr.Style("silhouette")
+    lines = hrbfnpr.LineSet(model)
+    upright = np.array([[1, 0, 0, 1], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], dtype=float)  # turned about x
+
+    def drawn(move):
+        pose = upright.copy()
+        pose[0, 3] = move
+        items = [hrbfnpr.Item(marks, style, line_set=lines), hrbfnpr.Item(marks, style, line_set=lines, transform=pose)]
+        drawing = hrbfnpr.Renderer().draw(items, camera(model))
+        return [line for i, layer in enumerate(drawing.layers) if layer.kind == "intersection"
+                for line in drawing.polylines(i)]
+
+    assert drawn(1.0) == []  # two linked rings do not touch
+    crossing = drawn(0.5)
+    assert crossing
+
+    def off(p):
+        return np.abs(np.hypot(np.hypot(p[:, 0], p[:, 1]) - 1, p[:, 2]) - 0.4)
+
+    places = np.concatenate([line["position"] for line in crossing])
+    assert off(places).max() < 0.02
+    there = np.stack([places[:, 0] - 0.5, places[:, 2], -places[:, 1]], axis=1)
+    assert off(there).max() < 0.02

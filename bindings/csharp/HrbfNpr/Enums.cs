@@ -368,6 +368,15 @@ namespace HrbfNpr
         /// the line narrower and not paler.
         /// </summary>
         SoftEdge = 14,
+        /// <summary>
+        /// Curves in which the surface of the item crosses that of another item with a line set.  Strength: the mean angle
+        /// between both surfaces along a curve, in degrees.
+        /// </summary>
+        /// <remarks>
+        /// If both items draw them, they are lines of the item with the smaller mesh cells.  Parts of one model meet in
+        /// creases.
+        /// </remarks>
+        Intersection = 15,
     }
 
     /// <summary>Which creases are drawn.</summary>

@@ -62,10 +62,11 @@ int rank_of(std::uint32_t kind) noexcept {
     case LineKind::contour: return 0;
     case LineKind::border: return 1;
     case LineKind::crease: return 2;
+    case LineKind::intersection: return 3;
     case LineKind::ridge:
     case LineKind::valley:
     case LineKind::apparent_ridge:
-    case LineKind::suggestive_contour: return 3;
+    case LineKind::suggestive_contour: return 4;
     default: return -1;
     }
 }

@@ -4,8 +4,9 @@
 // 1. camera_off_planes makes a camera that sees no face exactly edge-on. All lines are seen through it.
 // 2. trace_lines traces curves for this camera. For each item with lines, its contours (trace_contours, which begins
 //    with those of the last frame where the camera moved little), its creases that are contours (add_contour_creases)
-//    and its border (add_border) become subjects even if they are not drawn, since they hide other lines. Then the
-//    subjects of each style of lines are found or made (add_style), and the style gets a layer.
+//    and its border (add_border) become subjects even if they are not drawn, since they hide other lines. Where items
+//    cross, their intersections are found, or those of the last frame are used (trace_intersections). Then the subjects
+//    of each style of lines are found or made (add_style), and the style gets a layer.
 // 3. find_invisibility and find_hidden_by count the sheets in front of the lines.
 // 4. number_lines gives lines the numbers that they had in the last frame. Points of each line vote for the line of the
 //    last frame that has the nearest point with the same direction (count_votes). Pairs of lines with the most votes
@@ -65,6 +66,8 @@ struct LineSource {
     std::int32_t contours, border, end;
     std::int32_t folds = -1; // -1 if no crease of the item is a contour
     const curves::CreaseParts* creases = nullptr;
+    bool draws_intersections = false; // whether a style of the item draws intersections
+    bool has_intersections = false;   // whether the item has intersections that are drawn as its lines
 
     [[nodiscard]] const curves::LineSet& lines() const noexcept { return *item.lines; }
     [[nodiscard]] bool is_open() const noexcept { return lines().border().curves.count() > 0; }
@@ -297,6 +300,98 @@ void add_features(const base::Work& work, const LineSource& source, const LineSt
     add_lines(work, source, curves::as_lines(work.memory, lines), &style, layer, 0, out);
 }
 
+// ---- Intersections of items
+
+// Returns whether two maps have the same images of a box, up to rounding.
+bool is_same_map(const glm::dmat4& a, const glm::dmat4& b, const geometry::Bounds& box) noexcept {
+    const double reach = glm::length(glm::max(glm::abs(box.min), glm::abs(box.max)));
+    for (int c = 0; c < 4; ++c)
+        if (!(glm::length(a[c] - b[c]) * (c < 3 ? reach : 1.0) <= line_tuning.same_pose * box.diagonal())) return false;
+    return true;
+}
+
+// Returns the intersections of two items. Those of the last frame are used again if the items have not moved relative
+// to each other. An item's number is its index among the occluders.
+std::unique_ptr<ItemIntersections> find_item_intersections(const base::Work& work, const LineSource& source,
+                                                           const LineSource& other, const TracedLines& out,
+                                                           IntersectionList& last) {
+    const glm::dmat4 to_other = glm::inverse(other.item.transform) * source.item.transform;
+    if (!curves::may_intersect(source.lines(), other.lines(), to_other)) return nullptr;
+    auto fresh = std::make_unique<ItemIntersections>(work.memory);
+    fresh->set = source.lines().identity();
+    fresh->other_set = other.lines().identity();
+    fresh->item = out.items[source.number];
+    fresh->other = out.items[other.number];
+    fresh->to_other = to_other;
+    for (std::unique_ptr<ItemIntersections>& known : last)
+        if (known != nullptr && known->item == fresh->item && known->other == fresh->other &&
+            known->set == fresh->set && known->other_set == fresh->other_set &&
+            is_same_map(known->to_other, to_other, source.lines().mesh().region))
+            return std::move(known);
+    fresh->found = curves::find_intersections(work.without_progress(), source.lines(), other.lines(), to_other);
+    return fresh;
+}
+
+// Returns the length of a mesh side in world units.
+double world_side(const LineSource& source) noexcept {
+    return source.lines().mesh().side * std::cbrt(std::abs(glm::determinant(glm::dmat3(source.item.transform))));
+}
+
+// Finds the intersections of all pairs of items of which one draws intersections. The item with the finer mesh draws
+// them, because it shows smaller loops. Adds those that exist.
+void trace_intersections(const base::Work& work, base::List<LineSource>& sources, IntersectionList& last,
+                         TracedLines& out) {
+    for (LineSource& a : sources)
+        for (LineSource& b : sources) {
+            if (a.number >= b.number || (!a.draws_intersections && !b.draws_intersections)) continue;
+            const bool first = a.draws_intersections && (!b.draws_intersections || world_side(a) <= world_side(b));
+            LineSource& source = first ? a : b;
+            std::unique_ptr<ItemIntersections> found = find_item_intersections(work, source, first ? b : a, out, last);
+            if (found == nullptr) continue;
+            source.has_intersections = source.has_intersections || found->found.curves.count() > 0;
+            out.broken += found->found.broken;
+            out.intersections.add(std::move(found));
+        }
+}
+
+// Adds the intersections of an item with others, divided where one of both surfaces turns away from the eye.
+void add_intersections(const base::Work& work, const base::List<LineSource>& sources, const LineSource& source,
+                       const LineStyle& style, std::uint32_t layer, TracedLines& out) {
+    const double lower = curves::thresholds_of(style.kind, {style.lower, style.upper}).lower;
+    for (const std::unique_ptr<ItemIntersections>& its : out.intersections) {
+        if (its->item != out.items[source.number]) continue;
+        const LineSource& other = *std::find_if(
+            sources.begin(), sources.end(), [&](const LineSource& one) { return out.items[one.number] == its->other; });
+        curves::Curves wanted(work.memory);
+        for (std::int64_t c = 0; c < its->found.curves.count(); ++c) {
+            if (!(static_cast<double>(its->found.angle[c]) >= lower)) continue;
+            for (std::int64_t i = its->found.curves.first[c]; i < its->found.curves.first[c + 1]; ++i)
+                wanted.point.push_back(its->found.curves.point[i]);
+            wanted.end(its->found.curves.closed[c] != 0);
+        }
+        const curves::IntersectionLevel level(source.lines().surface(), other.lines().surface(), its->to_other);
+        const base::Work threads =
+            source.lines().surface().threads(other.lines().surface().threads(work.without_progress()));
+        for (const bool outside : {true, false})
+            for (const bool other_outside : {true, false}) {
+                // A closed surface hides what is on its inside.
+                const bool is_hidden = (!outside && !source.is_open()) || (!other_outside && !other.is_open());
+                if (is_hidden && style.hidden == HiddenParts::none) continue;
+                curves::Curves parts = curves::facing_parts(threads, level, source.view, false, outside, wanted);
+                parts = curves::facing_parts(threads, level, source.view, true, other_outside, parts);
+                if (parts.count() == 0) continue;
+                const auto number = static_cast<std::int32_t>(out.subjects.size());
+                visibility::Subject& subject =
+                    add_subject(source, *out.parts.add(std::make_unique<curves::Curves>(std::move(parts))), out);
+                subject.sheet_change = 0;
+                subject.other_item = other.number;
+                subject.joined = true;
+                subject.clearance = visibility::visibility_tuning.crease_clearance;
+                out.styles.push_back({&style, number, layer});
+            }
+    }
+}
+
 void add_style(const base::Work& work, const Scene& scene, const LineSource& source, const LineStyle& style,
                std::uint32_t layer, TracedLines& out) {
     const Item& item = source.item;
@@ -339,10 +434,10 @@ void add_style(const base::Work& work, const Scene& scene, const LineSource& sou
     }
 }
 
-// Traces all lines of the items. Adds a layer to the drawing for each style of lines. Contours of the last frame that
-// are still valid are moved out of `last`.
+// Traces all lines of the items. Adds a layer to the drawing for each style of lines. Contours and intersections of the
+// last frame that are still valid are moved out of `last` and `last_intersections`.
 TracedLines trace_lines(const base::Work& work, const Scene& scene, std::span<const Item> items, ContourList& last,
-                        drawing::Drawing& drawing) {
+                        IntersectionList& last_intersections, drawing::Drawing& drawing) {
     TracedLines out(work.memory);
     base::List<LineSource> sources(work.memory);
     const Camera camera = camera_off_planes(scene, items);
@@ -359,11 +454,16 @@ TracedLines trace_lines(const base::Work& work, const Scene& scene, std::span<co
         trace_contours(work, source, last, out);
         add_contour_creases(work, source, out);
         add_border(work, source, out);
+        source.draws_intersections =
+            std::any_of(item.style.lines.begin(), item.style.lines.end(),
+                        [](const LineStyle& style) { return style.kind == LineKind::intersection; });
     }
+    trace_intersections(work, sources, last_intersections, out);
     for (const LineSource& source : sources) {
         const std::int64_t first = out.styles.size();
         for (const LineStyle& style : source.item.style.lines) {
             if (style.kind == LineKind::crease && source.lines().creases().count() == 0) continue;
+            if (style.kind == LineKind::intersection && !source.has_intersections) continue;
             drawing::Layer layer;
             layer.item = out.items[source.number];
             layer.layer = -1;
@@ -374,7 +474,11 @@ TracedLines trace_lines(const base::Work& work, const Scene& scene, std::span<co
             layer.line_kind = static_cast<std::uint32_t>(style.kind);
             if (style.name != nullptr)
                 std::string_view(style.name).copy(layer.line_name.data(), layer.line_name.size() - 1);
-            add_style(work, scene, source, style, static_cast<std::uint32_t>(drawing.layers.size()), out);
+            const auto number = static_cast<std::uint32_t>(drawing.layers.size());
+            if (style.kind == LineKind::intersection)
+                add_intersections(work, sources, source, style, number, out);
+            else
+                add_style(work, scene, source, style, number, out);
             drawing.layers.push_back(layer);
         }
         for (std::int64_t i = first; i < out.styles.size(); ++i) {
@@ -538,7 +642,8 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     const base::Stopwatch watch;
     const std::int64_t layers = drawing.layers.size();
     const auto trace = [&] {
-        return trace_lines({runtime_, progress.part(0.0, traced_end)}, scene, items, contours_, drawing);
+        return trace_lines({runtime_, progress.part(0.0, traced_end)}, scene, items, contours_, intersections_,
+                           drawing);
     };
     const auto count_sheets = [&](const TracedLines& lines) {
         return visibility::find_invisibility({runtime_, progress.part(traced_end, found_end).without_progress()},
@@ -550,6 +655,7 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     const auto is_from_last = [](const auto& contours) { return contours->from_last; };
     if (found.report.settled > 0 && std::any_of(traced.contours.begin(), traced.contours.end(), is_from_last)) {
         contours_.clear();
+        intersections_ = std::move(traced.intersections);
         drawing.layers.resize(layers);
         traced = trace();
         found = count_sheets(traced);
@@ -564,6 +670,7 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     add_strokes(input, drawing, progress.part(hidden_end, 1.0), strokes_);
     thin_lines_beside_others(input, drawing.layers.span(), strokes_);
     contours_ = std::move(traced.contours);
+    intersections_ = std::move(traced.intersections);
     progress.update(1.0);
     drawing.line_counts.nanoseconds = watch.nanoseconds();
     return strokes_;

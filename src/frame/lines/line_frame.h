@@ -5,6 +5,7 @@
 #include "base/list.h"
 #include "base/runtime.h"
 #include "curves/curves.h"
+#include "features/intersections.h"
 #include "frame/scene/scene.h"
 
 #include <memory>
@@ -27,6 +28,17 @@ struct Contours {
     std::int64_t broken = 0;
 };
 using ContourList = base::List<std::unique_ptr<Contours>>;
+
+// The curves in which the surfaces of two items cross.
+struct ItemIntersections {
+    explicit ItemIntersections(base::Memory& memory) noexcept : found(memory) {}
+
+    std::shared_ptr<const void> set, other_set; // the identities of the line sets
+    std::int64_t item = 0, other = 0;           // The curves are drawn as lines of `item`.
+    glm::dmat4 to_other{1.0};                   // maps the coordinates of `item` to those of `other`
+    curves::Intersections found;
+};
+using IntersectionList = base::List<std::unique_ptr<ItemIntersections>>;
 
 // A line set, an item and a subject. Only lines of the same family can be the same line in two frames.
 struct LineFamily {
@@ -55,19 +67,24 @@ struct KnownLines {
 class LineFrame {
 public:
     explicit LineFrame(const base::Runtime& runtime) noexcept
-        : runtime_(runtime), strokes_(runtime.memory), contours_(runtime.memory), known_(runtime.memory) {}
+        : runtime_(runtime), strokes_(runtime.memory), contours_(runtime.memory), intersections_(runtime.memory),
+          known_(runtime.memory) {}
 
     // Draws the lines of all items that have lines and styles for them. Adds the layers and counts of these lines to
     // the drawing. All items with lines hide each other's lines. Throws Error{callback, cancelled, out_of_memory}.
     const LineStrokes& run(const Scene& scene, std::span<const Item> items, const base::Progress& progress,
                            drawing::Drawing& drawing);
     // Call this after a frame that failed. The next frame then uses no earlier contours.
-    void forget() noexcept { contours_.clear(); }
+    void forget() noexcept {
+        contours_.clear();
+        intersections_.clear();
+    }
 
 private:
     const base::Runtime& runtime_;
     LineStrokes strokes_;
     ContourList contours_; // The contours of the last frame. If the camera moves little, tracing begins with them.
+    IntersectionList intersections_; // The intersections of the last frame. Items that keep their poses keep them.
     KnownLines known_;
 };
 

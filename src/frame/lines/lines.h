@@ -24,7 +24,7 @@ struct DrawnSubject {
 struct TracedLines {
     explicit TracedLines(base::Memory& memory) noexcept
         : subjects(memory), occluders(memory), items(memory), styles(memory), contours(memory), levels(memory),
-          lines(memory), creases(memory), numbers(memory) {}
+          lines(memory), creases(memory), parts(memory), intersections(memory), numbers(memory) {}
 
     base::Array<visibility::Subject> subjects;
     base::Array<visibility::Occluder> occluders;
@@ -37,6 +37,8 @@ struct TracedLines {
     base::List<std::unique_ptr<curves::ContourLevel>> levels;
     base::List<std::unique_ptr<curves::SurfaceLines>> lines;
     base::List<std::unique_ptr<curves::CreaseParts>> creases;
+    base::List<std::unique_ptr<curves::Curves>> parts; // the parts of intersections that face the eye alike
+    IntersectionList intersections;
     base::List<base::Array<float>> numbers; // the arrays of strengths and factors
 };
 

@@ -25,6 +25,9 @@ struct LineTuning {
     double shortest_feature = 0.01;
     // The number of refinement rounds of apparent ridges.
     int ridge_rounds = 2;
+    // Two items keep their intersections if no place moves by more than this, in diagonals of the model, from one to
+    // the other. Larger: intersections follow slow items in steps. It is above the errors of rounding.
+    double same_pose = 1e-10;
     // If the camera is moved because of creases, this share of its move is to one side.
     double sideways_share = 0.05;
 
