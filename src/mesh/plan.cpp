@@ -203,15 +203,16 @@ double plan_tolerance_of_group(double diagonal, double across) noexcept {
 
 namespace {
 
-// Returns the least value of EndPlan::off, in diagonals. A support with a wide spacing cannot end a narrow strip. So if
-// the fit is exact, the value is a share of the mean width, 2 area / border, but at least the distance between places.
+// Returns the least value of EndPlan::off, in diagonals. The corners of an open mesh are rounded by about this much, and
+// strips narrower than this end beyond their border. The value allows for the distance between mesh and surface, and for
+// the number of places along a long border.
 double least_off(const EndFacts& facts) noexcept {
     const double farthest = std::max(facts.mesh_p99, facts.surface_p99);
-    if (facts.border == 0.0 || !(farthest < plan_tuning.exact * facts.diagonal)) return plan_tuning.least_off;
-    const double dense = std::sqrt(facts.area / static_cast<double>(plan_tuning.places));
+    if (facts.border == 0.0 || !(farthest < plan_tuning.least_off * facts.diagonal)) return plan_tuning.least_off;
+    const double dense = facts.border * mesh_tuning.row_step / static_cast<double>(plan_tuning.places);
     const double narrow = plan_tuning.of_width * 2.0 * facts.area / facts.border;
-    return std::clamp(std::max(narrow, plan_tuning.of_places * dense) / facts.diagonal, plan_tuning.least_off_exact,
-                      plan_tuning.least_off);
+    return std::clamp(std::max(plan_tuning.of_error * farthest, std::min(dense, narrow)) / facts.diagonal,
+                      plan_tuning.least_off_exact, plan_tuning.least_off);
 }
 
 // Returns EndPlan::off for a fit. The mesh's distances from the surface are large where coarse faces approximate a

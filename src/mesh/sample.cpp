@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random places are chosen by the running sum of areas, and uniformly within the face. Even samples are random places
-// in farthest-point order. Near a border, a row of places at a constant distance from the border replaces the even
-// samples.
+// in farthest-point order. Near a border, rows of places at constant distances from the border replace the even
+// samples. The first row is dense, and each further row has a larger spacing, up to that of the even samples.
 #include "mesh/sample.h"
 
 #include "base/random.h"
@@ -30,9 +30,17 @@ void for_border_sides(const Mesh& mesh, Visit&& visit) {
     return glm::distance(mesh.vertex[t[k]], mesh.vertex[t[(k + 1) % 3]]);
 }
 
-// Returns places along the borders, `step` apart. Their normals are replaced by directions into the mesh. Borders
-// shorter than `shortest` get no places.
-[[nodiscard]] MeshSamples border_places(const Mesh& mesh, double step, double shortest) {
+// Places on the borders. Their normals are replaced by directions into the mesh.
+struct BorderPlaces {
+    explicit BorderPlaces(base::Memory& memory) : along(memory), fans(memory) {}
+
+    MeshSamples along; // evenly spaced places
+    MeshSamples fans;  // for each corner that juts into the mesh: the corner, with the directions between its two sides
+};
+
+// Returns places along the borders, `step` apart. At the distance `reach` from a corner, the directions of its fan are
+// `step` apart. Borders shorter than `shortest` get no places.
+[[nodiscard]] BorderPlaces border_places(const Mesh& mesh, double step, double reach, double shortest) {
     base::Memory& memory = mesh.vertex.memory();
     UnionFind borders(memory, mesh.vertex.size());
     for_border_sides(mesh, [&](std::int64_t face, std::size_t k) {
@@ -42,18 +50,53 @@ void for_border_sides(const Mesh& mesh, Visit&& visit) {
     for_border_sides(mesh, [&](std::int64_t face, std::size_t k) {
         length_of[borders.find(mesh.triangle[face][k])] += side_length(mesh, face, k);
     });
-    MeshSamples places(memory);
+    // For each vertex, the direction of the side that ends there and its direction into the mesh.
+    base::Array<glm::dvec3> way_to(memory, mesh.vertex.size()), in_before(memory, mesh.vertex.size());
+    const auto in_from = [&](std::int64_t face, const glm::dvec3& side) {
+        return glm::normalize(glm::cross(doubled_area(mesh.corners(face)), side));
+    };
+    for_border_sides(mesh, [&](std::int64_t face, std::size_t k) {
+        const auto p = mesh.corners(face);
+        const glm::dvec3 side = p[(k + 1) % 3] - p[k];
+        const std::int32_t end = mesh.triangle[face][(k + 1) % 3];
+        way_to[end] = glm::normalize(side);
+        in_before[end] = in_from(face, side);
+    });
+    BorderPlaces places(memory);
     double along = 0.5 * step; // the distance along the border to the next place
     for_border_sides(mesh, [&](std::int64_t face, std::size_t k) {
         if (length_of[borders.find(mesh.triangle[face][k])] < shortest) return;
         const auto p = mesh.corners(face);
         const glm::dvec3 side = p[(k + 1) % 3] - p[k];
         const double length = glm::length(side);
-        const glm::dvec3 in = glm::cross(doubled_area(p), side);
-        for (; along < length; along += step) places.add(p[k] + along / length * side, glm::normalize(in), face);
+        const glm::dvec3 in = in_from(face, side);
+        for (; along < length; along += step) places.along.add(p[k] + along / length * side, in, face);
         along -= length;
+        const glm::dvec3& before = in_before[mesh.triangle[face][k]];
+        const glm::dvec3& way = way_to[mesh.triangle[face][k]];
+        const double angle = std::atan2(glm::dot(in, way), glm::dot(in, before));
+        const double parts = std::ceil(angle * reach / step);
+        for (double i = 1.0; i < parts; i += 1.0) {
+            const double turn = angle * i / parts;
+            places.fans.add(p[k], std::cos(turn) * before + std::sin(turn) * way, face);
+        }
     });
     return places;
+}
+
+// A row of places beside a border.
+struct BorderRow {
+    double inset;   // the distance of the row from the border
+    double spacing; // the distance to the next row
+};
+
+// Returns the rows between a border and even samples of a spacing.
+[[nodiscard]] base::Array<BorderRow> rows_beside_border(base::Memory& memory, double closest, double even_spacing) {
+    base::Array<BorderRow> rows(memory);
+    rows.push_back({mesh_tuning.row_inset * closest, closest});
+    while (rows.back().spacing < mesh_tuning.last_row * even_spacing)
+        rows.push_back({rows.back().inset + rows.back().spacing, mesh_tuning.row_growth * rows.back().spacing});
+    return rows;
 }
 
 // Returns the index of the point nearest to a place, or -1 if there are no points.
@@ -125,19 +168,29 @@ MeshSamples end_samples(const base::Work& work, const Mesh& mesh, const FaceTree
                         double closest, std::uint64_t seed) {
     HRBFNPR_ASSERT(count > 0 && closest > 0.0);
     const MeshSamples even = even_samples(work.part(0.0, 0.7), mesh, count, mesh_tuning.candidates_each * count, seed);
-    const double inset = mesh_tuning.row_inset * closest;
-    const MeshSamples border = border_places(mesh, mesh_tuning.row_step * closest,
-                                             mesh_tuning.shortest_border * 2.0 * std::numbers::pi * closest);
+    const double even_spacing = std::sqrt(mesh.report.area / static_cast<double>(count));
+    const base::Array<BorderRow> rows = rows_beside_border(work.memory, closest, even_spacing);
+    const double inset = rows[0].inset;
+    const double step = mesh_tuning.row_step * closest;
+    const BorderPlaces places = border_places(mesh, step, rows[rows.size() - 1].inset,
+                                              mesh_tuning.shortest_border * 2.0 * std::numbers::pi * closest);
+    const MeshSamples& border = places.along;
     const geometry::PointTree border_tree(border.position, base::Progress{});
     MeshSamples row(work.memory);
     const auto add_to_row = [&](const glm::dvec3& place, std::int64_t face) {
         row.add(place, normal_at(mesh, face, shares_of(mesh.corners(face), place)), face);
     };
-    for (std::int64_t i = 0; i < border.position.size(); ++i) {
-        const FaceTree::Nearest found = tree.nearest(border.position[i] + inset * border.normal[i]);
-        const glm::dvec3 beside = border.position[nearest_in(border_tree, found.place)];
-        if (glm::distance(beside, found.place) >= mesh_tuning.least_inset * inset) add_to_row(found.place, found.face);
-    }
+    const auto add_row = [&](double distance, std::int64_t each) {
+        for (const MeshSamples* const from : {&places.along, &places.fans})
+            for (std::int64_t i = 0; i < from->position.size(); i += each) {
+                const FaceTree::Nearest found = tree.nearest(from->position[i] + distance * from->normal[i]);
+                const std::int64_t beside = nearest_in(border_tree, found.place);
+                if (beside >= 0 &&
+                    glm::distance(border.position[beside], found.place) >= mesh_tuning.least_inset * distance)
+                    add_to_row(found.place, found.face);
+            }
+    };
+    add_row(inset, 1);
     const geometry::PointTree row_tree(row.position, base::Progress{});
     const auto has_row = [&](std::int64_t i) {
         const std::int64_t at = nearest_in(row_tree, border.position[i]);
@@ -146,12 +199,21 @@ MeshSamples end_samples(const base::Work& work, const Mesh& mesh, const FaceTree
     // Where there is no space for a row, for example on a narrow strip, places on the border are used instead.
     for (std::int64_t i = 0; i < border.position.size(); ++i)
         if (!has_row(i)) add_to_row(border.position[i], border.face[i]);
+    for (std::int64_t k = 1; k < rows.size(); ++k)
+        add_row(rows[k].inset, std::max(std::int64_t{1}, static_cast<std::int64_t>(0.5 * rows[k].spacing / step)));
+    const geometry::PointTree rows_tree(row.position, base::Progress{});
     base::Array<std::uint8_t> replaced(work.memory, even.position.size());
     work.for_chunks(replaced.size(), 256, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const std::int64_t at = nearest_in(border_tree, even.position[i]);
-            replaced[i] = at >= 0 && has_row(at) &&
-                          glm::distance(border.position[at], even.position[i]) < mesh_tuning.replaced * inset;
+            if (at < 0) continue;
+            const double away = glm::distance(border.position[at], even.position[i]);
+            const double to_row = glm::distance(row.position[nearest_in(rows_tree, even.position[i])], even.position[i]);
+            const auto is_beside = [&](const BorderRow& one) {
+                return away < one.inset + one.spacing && to_row < mesh_tuning.crowded * one.spacing;
+            };
+            replaced[i] = (has_row(at) && away < mesh_tuning.replaced * inset) ||
+                          std::any_of(rows.begin() + 1, rows.end(), is_beside);
         }
     });
     MeshSamples all(work.memory);

@@ -58,6 +58,12 @@ struct MeshTuning {
     // The row replaces even samples whose distance from the border is at most this many insets. Larger: a gap beside
     // the row.
     double replaced = 1.7;
+    // The spacing of a row, in spacings of the row before it. Larger: fewer rows, and holes between them.
+    double row_growth = 1.5;
+    // The least spacing of the last row, in spacings of the even samples. Larger: more rows. Smaller: holes beside them.
+    double last_row = 1.5;
+    // Even samples nearer to a row than this, in spacings of the row, are left out. Larger: holes beside the rows.
+    double crowded = 0.8;
     // A place of the border is covered if a place of the row is within this many insets.
     double covered = 2.0;
     // The number of candidates for each even sample. Larger: slower, more even.
@@ -143,16 +149,13 @@ struct PlanTuning {
     // The bounds of EndPlan::off, in diagonals. Larger: more of the surface beyond a mesh is kept.
     double least_off = 0.009;
     double most_off = 0.015;
-    // The lower bound of EndPlan::off if the fit is exact, in diagonals. Larger: narrow strips end later.
+    // The lower bound of EndPlan::off for an open mesh, in diagonals, and as a factor of the distance between mesh and
+    // surface. Larger: rounder corners, and narrow strips end later. Smaller: more places, and torn borders.
     double least_off_exact = 0.001;
-    // A fit is exact if its distance from the mesh is at most this, in diagonals. Fits of planes are exact.
-    double exact = 2e-4;
-    // The lower bound of EndPlan::off, as a share of the width of a strip. It leaves space for a row of places on
-    // either side of the strip, and for a gap between the rows.
+    double of_error = 5.0;
+    // A long border raises EndPlan::off, so that its places are not too many, to at most this share of the width of a
+    // strip. It leaves space for a row of places on either side of the strip, and for a gap between the rows.
     double of_width = 0.2;
-    // The lower bound of EndPlan::off, in mean distances between places. Larger: the surface ends farther beyond the
-    // last places.
-    double of_places = 1.5;
     // Between its bounds, EndPlan::off is this factor times the 99th percentile of the mesh's distances from the
     // surface, which is large if faces are coarse. For a fit to samples, it is this factor times the spacing of the
     // samples, because the fit rounds edges by about this distance.

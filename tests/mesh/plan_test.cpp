@@ -329,10 +329,14 @@ TEST(Plan, CoarseFacesMoveTheEndFartherOut) {
     EXPECT_EQ(off(0.001), 0.009);
     EXPECT_DOUBLE_EQ(off(0.008), 0.012);
     EXPECT_EQ(off(1.0), 0.015);
-    facts.area = 0.02; // a strip that is fitted exactly ends at 0.2 of its width
+    facts.area = 0.02; // An open mesh that is fitted well has sharp corners.
     facts.border = 2.0;
-    EXPECT_DOUBLE_EQ(off(1e-6), 0.004);
-    EXPECT_EQ(off(1e-3), 0.009);
+    EXPECT_DOUBLE_EQ(off(1e-6), 0.001);
+    EXPECT_DOUBLE_EQ(off(1e-3), 0.005);
+    facts.border = 1000.0; // A long border has fewer places, unless it bounds narrow strips.
+    EXPECT_DOUBLE_EQ(off(1e-6), 0.001);
+    facts.area = 50.0;
+    EXPECT_DOUBLE_EQ(off(1e-6), 1000.0 * 0.15 / 40000.0);
 }
 
 } // namespace

@@ -41,9 +41,9 @@ Triangles sheet(double width, int cells, F&& leave_out) {
 
 // A sheet's end samples, and the surface that they support.
 struct Ended {
-    explicit Ended(const Triangles& from, int threads = 2)
+    explicit Ended(const Triangles& from, int threads = 2, double off = 0.009)
         : runtime(with_threads(threads)), shape(made(runtime, from)), tree(runtime, shape.vertex, shape.triangle),
-          closest(0.009 * shape.bounds.diagonal()), samples(mesh::end_samples(runtime, shape, tree, 20000, closest, 1)),
+          closest(off * shape.bounds.diagonal()), samples(mesh::end_samples(runtime, shape, tree, 20000, closest, 1)),
           support(runtime, samples.position, samples.normal, closest) {}
 
     // Returns how far beyond a place the surface ends, in units of `closest`.
@@ -79,6 +79,28 @@ TEST(EndSamples, EndASheetAtItsBorder) {
             if (!corner) {
                 ASSERT_LE(ended.support.value(p, {0.0, 0.0, 1.0}), limit) << p.x << ' ' << p.y;
             }
+        }
+    }
+}
+
+// The corners of a sheet are as sharp as `closest` is small. Between the dense rows beside the border and the even
+// samples there are no holes.
+TEST(EndSamples, KeepCornersWhereTheRowsAreDense) {
+    for (const double off : {0.004, 0.002, 0.001}) {
+        SCOPED_TRACE(off);
+        const auto hole = [](double x, double y) { return std::abs(x - 0.5) < 0.2 && std::abs(y - 0.5) < 0.2; };
+        const Ended ended(sheet(1.0, 20, hole), 2, off);
+        for (int i = 5; i <= 95; ++i) EXPECT_NEAR(ended.beyond({0.01 * i, 1.0, 0.0}, {0, 1, 0}), 0.0, 0.1);
+        const double diagonal = std::sqrt(0.5);
+        EXPECT_GT(ended.beyond({1.0, 1.0, 0.0}, {diagonal, diagonal, 0.0}), -0.8);
+        EXPECT_NEAR(ended.beyond({0.3, 0.5, 0.0}, {1, 0, 0}), 0.0, 0.1);
+        EXPECT_LT(ended.beyond({0.3, 0.3, 0.0}, {diagonal, diagonal, 0.0}), 0.8);
+        for (int i = 0; i < 400 * 400; ++i) {
+            const glm::dvec3 p(0.0025 * (i % 400) + 0.0013, 0.0025 * (i / 400) + 0.0013, 0.0);
+            const bool corner = std::min(p.x, 1.0 - p.x) + std::min(p.y, 1.0 - p.y) < 2.0 * ended.closest;
+            const double out = 0.2 + 0.1 * ended.closest;
+            if (corner || (std::abs(p.x - 0.5) < out && std::abs(p.y - 0.5) < out)) continue;
+            ASSERT_LE(ended.support.value(p, {0.0, 0.0, 1.0}), limit) << p.x << ' ' << p.y;
         }
     }
 }
