@@ -386,11 +386,24 @@ PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Crease
         result.samples.normal.push_back(normal);
     };
     // A sheet has one normal at each place, but a tip has several. So the tip gets no sample, and is rounded over the
-    // distance to the places around it.
+    // distance to the places around it. Rings of places around the tip, each half as wide as the one before, make this
+    // distance short.
+    const double least_ring = patch_tuning.tip_ring * diagonal;
+    const auto add_rings = [&](std::int32_t face, std::size_t k) {
+        const auto p = mesh.corners(face);
+        const glm::dvec3 to_middle = 0.5 * (p[(k + 1) % 3] + p[(k + 2) % 3]) - p[k];
+        const double length = glm::length(to_middle);
+        const glm::dvec3 normal = unit_normal(mesh, face);
+        for (double ring = 0.5 * std::min(spacing, length); ring >= least_ring; ring *= 0.5) {
+            result.samples.position.push_back(p[k] + ring / length * to_middle);
+            result.samples.normal.push_back(normal);
+        }
+    };
     const auto add_corner = [&](std::int32_t face, std::size_t k, bool crease) {
         const std::int64_t corner = 3 * std::int64_t{face} + static_cast<std::int64_t>(k);
         const glm::dvec3 place = mesh.corners(face)[k];
         if (normals.tip[corner] == 0) return add(place, normals.normal[corner], crease);
+        if (!crease) add_rings(face, k);
         if (std::find(tips.begin(), tips.end(), place) == tips.end()) tips.push_back(place);
     };
     // Adds places on a side of a face that is a crease. They lie on the curved surface of this patch, so the patch on
@@ -434,7 +447,7 @@ PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Crease
     for (const std::int32_t face : faces) add_face(face);
     for (std::int64_t i = 0; i < result.samples.position.size(); ++i)
         result.samples.bounds.extend(result.samples.position[i]);
-    set_tolerances(work, tolerance, on_creases, tips, patch_tuning.around_tip * spacing, result);
+    set_tolerances(work, tolerance, on_creases, tips, patch_tuning.around_tip * std::min(spacing, least_ring), result);
     return result;
 }
 

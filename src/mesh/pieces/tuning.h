@@ -33,6 +33,46 @@ struct HasCreasesTuning {
 };
 inline constexpr HasCreasesTuning has_creases_tuning;
 
+// The constants of tangent edges. Set on brackets, rounded boxes, run-outs of cylinders and capsules of 3 to 40 faces in
+// a quarter circle, and on scans and subdivided meshes, which have none.
+struct TangentTuning {
+    double degrees = 57.29577951308232; // degrees in a radian
+    // Faces lie in one plane if they bend by less than this, in degrees, and what rounding may add. Larger: finer
+    // fillets count as flat.
+    double flat = 0.01;
+    // The rounding error of coordinates, in diagonals. Larger: narrow faces of exact meshes count as flat.
+    double rounding = 2.5e-7;
+    // The curvature beside an edge is measured up to this distance, in heights of the face there. Larger: fillets of
+    // few faces are measured across their whole width.
+    double reach = 1.9;
+    // The relative difference up to which two curvatures, or two bends, count as equal where both sides of an edge
+    // bend. Larger: surfaces whose curvature varies have tangent edges.
+    double steady = 0.12;
+    // Two curvatures are different if they differ by this share of the larger one. Larger: fewer tangent edges.
+    double change = 0.4;
+    // The relative difference between the bend at an edge and the expected one, for a candidate and for a whole line.
+    // In a round wall of equal faces it is 1. Larger: more irregular meshes have tangent edges, and so have walls whose
+    // curvature varies.
+    double off_of_edge = 0.6;
+    double off_of_line = 0.3;
+    // A single triangle is flat if it is this many times as wide as the faces beyond the edge. Larger: cones have fewer
+    // tangent edges.
+    double surely_wide = 3.0;
+    // The cosine of the largest turn between two edges of a line. Larger: lines end at smaller turns.
+    double aligned = 0.64;
+    // The least length of a line, in widths of the faces beside it, also if its bends are on average as expected up to
+    // the relative difference `off_of_exact`. Larger: fewer short lines.
+    double shortest = 8.0;
+    double shortest_exact = 2.5;
+    double off_of_exact = 0.1;
+    // A component has tangent edges if candidates that form no line are at most this many times as long as those that
+    // do. Larger: noise has tangent edges.
+    double most_rejected = 0.5;
+    // A walk ends after this many faces. Larger: wider triangulated planes are crossed.
+    std::int64_t most_faces = 256;
+};
+inline constexpr TangentTuning tangent_tuning;
+
 // The constants of creases and of the patches between them. Set by scripts/bench edges on its models of machine parts.
 struct CreaseTuning {
     // A crease with a free end is extended along edges that bend by at least this, in degrees. Larger: fading creases
@@ -130,8 +170,11 @@ struct PatchTuning {
     double thinned_crease = 0.35;
     // A side of a face is divided into at most this many pieces.
     double most_cuts = 64.0;
-    // Within this many spacings of a tip, the error of a sheet may be this many tolerances. Larger: rounder tips, fewer
+    // The radius of the smallest ring of places around the tip of a cone, in diagonals. Larger: rounder tips, fewer
     // centres.
+    double tip_ring = 5e-4;
+    // Within this many smallest rings of a tip, the error of a sheet may be this many tolerances. Larger: rounder tips,
+    // fewer centres.
     double around_tip = 3.0;
     double tip_tolerance = 4.0;
 
