@@ -72,7 +72,7 @@ GROUPS = {
                "mark is on the silhouette; 0 to 1 (default: 0.2)", "silhouette_threshold"),  # fmt: skip
         Option("lines", "lines", "lines", "KINDS", "kinds of lines to draw, with commas between: contour, suggestive, "
                "ridges, valleys, apparent, parabolic, isophotes, section, border, crease, intersection, shadow, terminator, "
-               "soft, or none; "
+               "soft, tangent, or none; "
                "section=z:20 sets planes, isophotes=0.3:0.6 sets levels (default: from the style)"),  # fmt: skip
         choice("hidden", "style.lines.hidden", "how the hidden parts of lines are drawn (default: from the style)"),
         flag("verify", "flags.VERIFY", "compare all lines with rays, repair wrong pieces, and say how many agree"),

@@ -1877,17 +1877,21 @@ enum {
                                                  the line, less the turns beside that, in degrees.  Organic bumps,
                                                  limbs and noise have none.  `fade` of a line style makes the line
                                                  narrower and not paler */
-    HRBFNPR_LINE_KIND_INTERSECTION = 15       /* curves in which the surface of the item crosses that of another item
+    HRBFNPR_LINE_KIND_INTERSECTION = 15,      /* curves in which the surface of the item crosses that of another item
                                                  with a line set.  If both items draw them, they are lines of the item
                                                  with the smaller mesh cells.  Parts of one model meet in CREASEs.
                                                  Strength: the mean angle between both surfaces along a curve, in
                                                  degrees; `upper` and `fade` have no effect */
+    HRBFNPR_LINE_KIND_TANGENT_EDGE = 16       /* edges of a part along which two surfaces touch without a kink, such as
+                                                 those of a fillet; once.  The caller gives them as polylines, as OWN.
+                                                 hrbfnpr_mesh_edges finds them in a mesh */
 };
 
 /* Lines to find once, when the line set is made. */
 typedef struct hrbfnpr_line_desc {
     uint32_t struct_size;
-    uint32_t kind;     /* HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION, OWN or SOFT_EDGE; default RIDGE */
+    uint32_t kind;     /* HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION, OWN, SOFT_EDGE or TANGENT_EDGE; default
+                          RIDGE */
     const char* name;  /* name by which hrbfnpr_line_style.name selects these lines; UTF-8, up to 63 bytes; default NULL
                           = "" */
     double lower;      /* least strength at which a line goes on; 0 or more; default 0.  If `lower` and `upper` are 0,
@@ -1899,9 +1903,11 @@ typedef struct hrbfnpr_line_desc {
     double plane[3];   /* SECTION: normal of the planes, of any length but 0; default (0, 0, 1) */
     hrbfnpr_array levels; /* SECTION: places of the planes along the unit normal, in units of the model; n x 1, FLOAT32
                              or FLOAT64; at least one */
-    hrbfnpr_array position; /* OWN: points of all lines, on the surface or near it; n x 3, FLOAT32 or FLOAT64 */
-    hrbfnpr_array line_first; /* OWN: number of the first position of each line, ascending, then the end of the last
-                                 line; n x 1, UINT32.  A line whose last position equals its first is closed */
+    hrbfnpr_array position; /* OWN, TANGENT_EDGE: points of all lines, on the surface or near it; n x 3, FLOAT32 or
+                               FLOAT64 */
+    hrbfnpr_array line_first; /* OWN, TANGENT_EDGE: number of the first position of each line, ascending, then the end
+                                 of the last line; n x 1, UINT32.  A line whose last position equals its first is
+                                 closed */
 } hrbfnpr_line_desc;
 
 /* Sets struct_size and all defaults. */
@@ -3259,6 +3265,10 @@ typedef struct hrbfnpr_mesh_edges_desc {
                             diagonals.  Faces stay flat, with sharp edges, if a round surface would leave them by more
                             than four fifths of it.  With a large number, such as the diagonal, the angle alone
                             decides */
+    uint32_t tangent;    /* 1 also finds tangent edges, along which two surfaces of a part touch without a kink but bend
+                            differently, such as a fillet and a plane; default 0.  They are found where the bends of the
+                            mesh agree with two different curvatures.  Scans, noise and subdivided shapes have none */
+    uint32_t reserved;
 } hrbfnpr_mesh_edges_desc;
 
 /* Sets struct_size and all defaults. */
@@ -3288,8 +3298,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_edges_info_init(hrbfnpr_mesh_edges_info*
  *
  * `patch` is m x 1 for the m faces of the mesh, INT64, INT32 or UINT32: it gets the number of each face's patch, from 0
  * in the order of their first faces.  `sharp` is m x 3, of the same types: it gets 1 if the edge from corner k of the
- * face to the next corner is sharp, else 0.  `patch`, `sharp`, `desc`, `info` and `operation` may be NULL.  The call
- * only reads the mesh, so several threads may make it at the same time.
+ * face to the next corner is sharp, 2 if it is a tangent edge, else 0.  `patch`, `sharp`, `desc`, `info` and
+ * `operation` may be NULL.  The call only reads the mesh, so several threads may make it at the same time.
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_edges(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_edges_desc* desc,
                                               const hrbfnpr_array_out* patch, const hrbfnpr_array_out* sharp,
@@ -3476,9 +3486,9 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, cons
  *
  * Ink is in named groups, the layers of a file.  The group of a layer of marks has that layer's name, such as
  * "stipples" or "hatch-2".  Groups of lines are called "contour", "suggestive", "ridge", "valley", "apparent ridge",
- * "parabolic", "isophote", "section", "border", "crease", "shadow", "terminator", "soft edge", "intersection", or have
- * the name of lines of kind OWN.  Ink behind n layers of surface has " hidden n" at the end of its name.  A second layer
- * of the same name has " 2".
+ * "parabolic", "isophote", "section", "border", "crease", "shadow", "terminator", "soft edge", "intersection",
+ * "tangent edge", or have the name of lines of kind OWN.  Ink behind n layers of surface has " hidden n" at the end of
+ * its name.  A second layer of the same name has " 2".
  *
  * Groups follow the layers of the drawing, hidden ones first.  In a group strokes are in order from far to near.  Where
  * inks of several colours lie on each other, groups begin anew with ", run 2" at the end of their names, up to 32 runs,
@@ -4099,7 +4109,8 @@ typedef struct hrbfnpr_picture_desc {
                                   = by seed_source of hrbfnpr_generate_desc */
     double hatch_angle;        /* angle by which all lines of hatching are turned, in degrees, -360 .. 360; default 0 */
     const char* lines;         /* kinds of lines with commas between: contour, suggestive, ridges, valleys, apparent,
-                                  parabolic, isophotes=0.3:0.6, section=z:20, border, crease, shadow, terminator, soft;
+                                  parabolic, isophotes=0.3:0.6, section=z:20, border, crease, shadow, terminator, soft,
+                                  tangent;
                                   "none" = no lines, so that contours are drawn by marks with VISIBILITY_PUBLISHED
                                   only; default NULL = those of the style */
     const char* scale_bar;     /* unit of a scale bar below the drawing; "none" = no bar; default NULL = "units" in the
@@ -4431,6 +4442,16 @@ enum {
     HRBFNPR_VIEWS_HIDDEN_SHOWN = 2   /* hidden edges are continuous thin lines */
 };
 
+/* How tangent edges are drawn, along which two surfaces of a part touch without a kink, such as those of a fillet.
+ * They are continuous thin lines; hidden ones are not drawn. */
+enum {
+    HRBFNPR_VIEWS_TANGENT_SHORT = 0, /* tangent edges end three widths of an outline before the lines that they would
+                                        touch, as ISO 128-3 asks of the lines of rounded edges; short ones end a quarter
+                                        of their length before */
+    HRBFNPR_VIEWS_TANGENT_THIN = 1,  /* tangent edges go up to the lines that they touch */
+    HRBFNPR_VIEWS_TANGENT_NONE = 2   /* tangent edges are not drawn */
+};
+
 /* A sheet of views.  Texts are UTF-8, and are read during the call only. */
 typedef struct hrbfnpr_views_desc {
     uint32_t struct_size;
@@ -4464,6 +4485,8 @@ typedef struct hrbfnpr_views_desc {
     const hrbfnpr_page_desc* page; /* format, flags, tolerance, speeds and the like; default NULL = its defaults with a
                                       tolerance of 0.02.  The call sets items, annotations, pens and size, and title and
                                       description where they are NULL */
+    uint32_t tangent;     /* how tangent edges are drawn, HRBFNPR_VIEWS_TANGENT_...; default SHORT */
+    uint32_t reserved;
 } hrbfnpr_views_desc;
 
 /* Sets struct_size and all defaults. */

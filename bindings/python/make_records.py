@@ -219,7 +219,7 @@ DESCRIBED = {
         Row("ink", kind="ink", type="Tuple[float, ...]", words="red, green, blue and alpha, 0 to 1; default black"),
         Row("line_type", words="as in `Pen`"))),
     "LinesFields": Described("line_desc", "Lines that are found once, when a `LineSet` is made.", (
-        Row("kind", kind="LINE_KIND", words='"ridge", "valley", "parabolic", "section", "own" or "soft_edge"'),
+        Row("kind", kind="LINE_KIND", words='"ridge", "valley", "parabolic", "section", "own", "soft_edge" or "tangent_edge"'),
         Row("name", kind="text", default="", words="the name by which `LineStyle.name` refers to the lines"),
         Row("lower"), Row("upper"), Row("shortest"),
         Row("plane", "", type="Sequence[float]", default=(0.0, 0.0, 1.0), words='for "section": the normal of the planes'),

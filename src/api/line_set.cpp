@@ -95,7 +95,8 @@ void Requests::add_own(const hrbfnpr_line_desc& desc, const char* name, curves::
 
 bool is_found_on_request(std::uint32_t kind) noexcept {
     return kind == HRBFNPR_LINE_KIND_RIDGE || kind == HRBFNPR_LINE_KIND_VALLEY || kind == HRBFNPR_LINE_KIND_PARABOLIC ||
-           kind == HRBFNPR_LINE_KIND_SECTION || kind == HRBFNPR_LINE_KIND_OWN || kind == HRBFNPR_LINE_KIND_SOFT_EDGE;
+           kind == HRBFNPR_LINE_KIND_SECTION || kind == HRBFNPR_LINE_KIND_OWN || kind == HRBFNPR_LINE_KIND_SOFT_EDGE ||
+           kind == HRBFNPR_LINE_KIND_TANGENT_EDGE;
 }
 
 void Requests::add(const hrbfnpr_line_desc& desc, const char* name) {
@@ -104,8 +105,8 @@ void Requests::add(const hrbfnpr_line_desc& desc, const char* name) {
     request.kind = static_cast<curves::LineKind>(desc.kind);
     if (!is_found_on_request(desc.kind))
         fail(Status::invalid_argument,
-             "%s.kind is %u; it must be HRBFNPR_LINE_KIND_RIDGE, _VALLEY, _PARABOLIC, _SECTION, _OWN or _SOFT_EDGE; "
-             "other lines are found without a request",
+             "%s.kind is %u; it must be HRBFNPR_LINE_KIND_RIDGE, _VALLEY, _PARABOLIC, _SECTION, _OWN, _SOFT_EDGE or "
+             "_TANGENT_EDGE; other lines are found without a request",
              name, desc.kind);
     if (desc.name != nullptr) {
         if (std::strlen(desc.name) >= request.name.size())
@@ -128,7 +129,7 @@ void Requests::add(const hrbfnpr_line_desc& desc, const char* name) {
         if (request.levels.empty())
             fail(Status::invalid_argument, "%s.levels is empty; give the position of each plane", name);
     }
-    if (request.kind == curves::LineKind::own) add_own(desc, name, request);
+    if (curves::is_given(request.kind)) add_own(desc, name, request);
     requests_.push_back(request);
 }
 

@@ -7,6 +7,7 @@
 #include "api/queries.h"
 #include "base/clock.h"
 #include "mesh/pieces/fit_as_planned.h"
+#include "mesh/pieces/tangent_edges.h"
 
 #include <optional>
 
@@ -25,7 +26,9 @@ constexpr auto mesh_edges_fields() noexcept {
         field("edges", &MeshEdgesDesc::edges, &FitMeshSettings::edges,
               rule::OneOf{HRBFNPR_EDGES_SHARP, "HRBFNPR_EDGES_*"}),
         field("crease_angle", &MeshEdgesDesc::crease_angle, &FitMeshSettings::crease_angle, rule::Between{1.0, 179.0}),
-        field("far", &MeshEdgesDesc::far, &FitMeshSettings::far, rule::not_negative)};
+        field("far", &MeshEdgesDesc::far, &FitMeshSettings::far, rule::not_negative),
+        field("tangent", &MeshEdgesDesc::tangent, rule::OneOf{1, "0 or 1"}),
+        reserved("reserved", &MeshEdgesDesc::reserved)};
 }
 static_assert(mesh_edges_fields().covers<MeshEdgesDesc>());
 
@@ -54,6 +57,13 @@ void write_sharp(const mesh::Mesh& mesh, const mesh::Creases& creases, const bas
         }
 }
 
+void write_tangent(const base::Work& work, const mesh::Mesh& mesh, const std::optional<mesh::Creases>& creases,
+                   const base::OutView& out) {
+    const base::Array<std::uint8_t> none(work.memory);
+    for (const std::int64_t side : mesh::find_tangent_edges(work, mesh, creases ? creases->cut : none))
+        out.set(side / 3, static_cast<std::uint32_t>(side % 3), 2.0);
+}
+
 void find_edges(const hrbfnpr_mesh& handle, const MeshEdgesDesc& desc, const hrbfnpr_array_out* patch,
                 const hrbfnpr_array_out* sharp, hrbfnpr_mesh_edges_info* info, hrbfnpr_operation* operation) {
     const base::Stopwatch watch;
@@ -67,14 +77,15 @@ void find_edges(const hrbfnpr_mesh& handle, const MeshEdgesDesc& desc, const hrb
     // The ratio of `far` to the tolerance is the same as in a fit with the default `far`.
     settings.tolerance = settings.far / 5.0;
     const OperationUse use(operation);
-    const mesh::PlannedCreases plan =
-        mesh::find_planned_creases({handle.runtime(), use.progress()}, mesh, handle.tree, handle.creases, settings);
-    use.finish();
+    const base::Work work(handle.runtime(), use.progress());
+    const mesh::PlannedCreases plan = mesh::find_planned_creases(work, mesh, handle.tree, handle.creases, settings);
     for (std::int64_t face = 0; face < mesh.faces(); ++face) {
         if (patches) patches.set(face, 0, plan.creases ? static_cast<double>(plan.creases->patch[face]) : 0.0);
         for (std::uint32_t k = 0; k < 3 && sides; ++k) sides.set(face, k, 0.0);
     }
+    if (sides && desc.tangent != 0) write_tangent(work, mesh, plan.creases, sides);
     if (sides && plan.creases) write_sharp(mesh, *plan.creases, sides);
+    use.finish();
     if (info == nullptr) return;
     hrbfnpr_mesh_edges_info to{};
     to.patches = 1;

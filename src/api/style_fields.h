@@ -166,7 +166,7 @@ static_assert(style_fields().covers<hrbfnpr_style>());
     using Given = hrbfnpr_line_style;
     using To = frame::LineStyle;
     return FieldTable{
-        field("kind", &Given::kind, &To::kind, rule::OneOf{HRBFNPR_LINE_KIND_INTERSECTION, "HRBFNPR_LINE_KIND_*"}),
+        field("kind", &Given::kind, &To::kind, rule::OneOf{HRBFNPR_LINE_KIND_TANGENT_EDGE, "HRBFNPR_LINE_KIND_*"}),
         field("name", &Given::name, &To::name, rule::Any{}),
         field("hidden", &Given::hidden, &To::hidden, rule::OneOf{HRBFNPR_HIDDEN_PARTS_SHOWN, "HRBFNPR_HIDDEN_PARTS_*"}),
         field("cap", &Given::cap, &To::cap, rule::OneOf{HRBFNPR_CAP_POINTED, "HRBFNPR_CAP_*"}),

@@ -362,7 +362,7 @@ SurfaceLines joined_sections(const base::Runtime& runtime, const implicit::Sheet
 
 // Returns whether lines of this kind that are found once need the derivatives of f at the vertices of the mesh.
 bool needs_curvatures(LineKind kind) noexcept {
-    return kind != LineKind::own && kind != LineKind::soft_edge && needs_shape(feature_of(kind));
+    return !is_given(kind) && kind != LineKind::soft_edge && needs_shape(feature_of(kind));
 }
 
 } // namespace
@@ -519,7 +519,7 @@ void LineSet::clip_mesh(const base::Work& work) {
 }
 
 SurfaceLines LineSet::find_lines(const base::Work& work, const LineRequest& request) const {
-    if (request.kind == LineKind::own) return own_lines(work, surface_, request, mesh_->side);
+    if (is_given(request.kind)) return own_lines(work, surface_, request, mesh_->side);
     FeatureRequest feature;
     feature.kind = feature_of(request.kind);
     feature.plane = glm::normalize(request.plane);

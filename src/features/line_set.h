@@ -35,9 +35,10 @@ enum class LineKind : std::uint32_t {
     shadow = 12,
     terminator = 13,
     soft_edge = 14,
-    intersection = 15
+    intersection = 15,
+    tangent_edge = 16
 };
-inline constexpr std::uint32_t line_kind_count = 16;
+inline constexpr std::uint32_t line_kind_count = 17;
 // Returns whether lines of this kind are found again for each camera or light.
 [[nodiscard]] constexpr bool depends_on_view(LineKind kind) noexcept {
     return kind == LineKind::contour || kind == LineKind::suggestive_contour || kind == LineKind::apparent_ridge ||
@@ -45,6 +46,10 @@ inline constexpr std::uint32_t line_kind_count = 16;
 }
 // Returns the FeatureKind of a line kind.
 [[nodiscard]] FeatureKind feature_of(LineKind kind) noexcept;
+// Returns whether the caller gives lines of this kind as polylines.
+[[nodiscard]] constexpr bool is_given(LineKind kind) noexcept {
+    return kind == LineKind::own || kind == LineKind::tangent_edge;
+}
 struct Thresholds {
     double lower, upper;
 };
@@ -63,8 +68,8 @@ struct LineRequest {
     double shortest = 0.0;               // in diagonals
     glm::dvec3 plane{0.0, 0.0, 1.0};     // sections: the normal of the planes
     std::span<const double> levels;      // sections: positions of the planes along their normal
-    std::span<const double> points;      // own lines: 3n packed positions
-    std::span<const std::int64_t> first; // own lines: the first point of each line, and the total number of points
+    std::span<const double> points;      // lines of the caller: 3n packed positions
+    std::span<const std::int64_t> first; // lines of the caller: the first point of each, and the total number of points
 };
 
 struct FoundLines {

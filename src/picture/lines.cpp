@@ -37,7 +37,7 @@ hrbfnpr_line_desc LinesOnce::view() const noexcept {
 
 namespace {
 
-// The sharp edges of a mesh. Each edge is stored once, directed from its vertex with the lower index.
+// The sharp or tangent edges of a mesh. Each edge is stored once, directed from its vertex with the lower index.
 struct SharpEdges {
     struct Edge {
         std::int64_t from, to; // The indices in `places` of the two ends of the edge.
@@ -64,9 +64,12 @@ Vector<Triangle> usable_faces(const Shape& shape, Pool& pool) {
     return usable;
 }
 
-// Returns the sharp edges that hrbfnpr_mesh_edges finds by the angle alone.
-SharpEdges sharp_edges(hrbfnpr_context& context, const Shape& shape, double angle, hrbfnpr_operation* operation,
-                       Pool& pool) {
+enum class EdgeClass : std::int32_t { sharp = 1, tangent = 2 }; // as hrbfnpr_mesh_edges writes them
+
+// Returns the edges of a class that hrbfnpr_mesh_edges finds. Edges are sharp by the angle alone, or if `angle` is 0 as
+// in a fit of the mesh.
+SharpEdges edges_of_class(hrbfnpr_context& context, const Shape& shape, EdgeClass wanted, double angle,
+                          hrbfnpr_operation* operation, Pool& pool) {
     SharpEdges found{Points(&pool), Vector<SharpEdges::Edge>(&pool)};
     const Vector<Triangle> faces = usable_faces(shape, pool);
     Points points(&pool);
@@ -87,9 +90,12 @@ SharpEdges sharp_edges(hrbfnpr_context& context, const Shape& shape, double angl
     const hrbfnpr_array triangles = view(HRBFNPR_MESH_ATTRIBUTE_TRIANGLE);
     Vector<std::int32_t> sharp(static_cast<std::size_t>(3 * triangles.count), 0, &pool);
     auto desc = defaults<hrbfnpr_mesh_edges_desc>(hrbfnpr_mesh_edges_desc_init);
-    desc.edges = HRBFNPR_EDGES_SHARP;
-    desc.crease_angle = std::clamp(angle, 1.0, 179.0);
-    desc.far = diagonal_of_points(shape.points); // With this limit, only the angle decides.
+    if (angle > 0.0) {
+        desc.edges = HRBFNPR_EDGES_SHARP;
+        desc.crease_angle = std::clamp(angle, 1.0, 179.0);
+        desc.far = diagonal_of_points(shape.points); // With this limit, only the angle decides.
+    }
+    desc.tangent = wanted == EdgeClass::tangent ? 1 : 0;
     const hrbfnpr_array_out to_sharp{sharp.data(), triangles.count, 0, HRBFNPR_SCALAR_INT32, 3};
     call([&](hrbfnpr_error* error) {
         return hrbfnpr_mesh_edges(mesh.get(), &desc, nullptr, &to_sharp, nullptr, operation, error);
@@ -100,7 +106,7 @@ SharpEdges sharp_edges(hrbfnpr_context& context, const Shape& shape, double angl
     for (std::size_t side = 0; side < sharp.size(); ++side) {
         const std::int64_t from = corner[side];
         const std::int64_t to = corner[side % 3 == 2 ? side - 2 : side + 1];
-        if (sharp[side] != 0 && from < to) found.edges.push_back({from, to});
+        if (sharp[side] == static_cast<std::int32_t>(wanted) && from < to) found.edges.push_back({from, to});
     }
     return found;
 }
@@ -181,6 +187,39 @@ Vector<Polyline> join_edges(const EdgeGraph& graph, std::size_t edge_count, cons
     return lines;
 }
 
+Vector<Polyline> joined_edges(const SharpEdges& sharp, Pool& pool) {
+    return join_edges(graph_of_edges(sharp.edges, sharp.places.size(), pool), sharp.edges.size(), sharp.places, pool);
+}
+
+// Adds a point in the middle of each piece that is a chord of an arc. A piece is one if the line turns less than
+// `arc_turn` at both of its ends, and the pieces beside it have about its length.
+Polyline with_middles(const Polyline& line) {
+    const std::size_t pieces = line.size() - 1;
+    const bool is_closed = pieces > 2 && line.front() == line.back();
+    const auto continues = [&](std::size_t piece, std::size_t next) {
+        const glm::dvec3 a = line[piece + 1] - line[piece], b = line[next + 1] - line[next];
+        const double shorter = std::min(glm::length(a), glm::length(b)), longer = std::max(glm::length(a), glm::length(b));
+        return shorter > lines_tuning.arc_pieces * longer &&
+               glm::dot(a, b) > std::cos(lines_tuning.arc_turn * (std::numbers::pi / 180.0)) * shorter * longer;
+    };
+    Polyline made(line.get_allocator());
+    for (std::size_t i = 0; i < pieces; ++i) {
+        const std::size_t before = i > 0 ? i - 1 : pieces - 1, after = i + 1 < pieces ? i + 1 : 0;
+        const bool has_before = (i > 0 || is_closed) && continues(before, i);
+        const bool has_after = (i + 1 < pieces || is_closed) && continues(i, after);
+        made.push_back(line[i]);
+        // The middle of a cubic through four points, or of a parabola through three.
+        if (has_before && has_after)
+            made.push_back((9.0 * (line[i] + line[i + 1]) - line[before] - line[after + 1]) / 16.0);
+        else if (has_before)
+            made.push_back((3.0 * line[i + 1] + 6.0 * line[i] - line[before]) / 8.0);
+        else if (has_after)
+            made.push_back((3.0 * line[i] + 6.0 * line[i + 1] - line[after + 1]) / 8.0);
+    }
+    made.push_back(line.back());
+    return made;
+}
+
 double length_of_polyline(const Polyline& line) noexcept {
     double length = 0.0;
     for (std::size_t i = 1; i < line.size(); ++i) length += glm::length(line[i] - line[i - 1]);
@@ -192,8 +231,28 @@ double length_of_polyline(const Polyline& line) noexcept {
 Vector<Polyline> mesh_creases(hrbfnpr_context& context, const Shape& shape, double angle, hrbfnpr_operation* operation,
                               Pool& pool) {
     if (!shape.is_mesh()) fail(Status::invalid_argument, "creases need a mesh; this file has no faces");
-    const SharpEdges sharp = sharp_edges(context, shape, angle, operation, pool);
-    return join_edges(graph_of_edges(sharp.edges, sharp.places.size(), pool), sharp.edges.size(), sharp.places, pool);
+    return joined_edges(edges_of_class(context, shape, EdgeClass::sharp, angle, operation, pool), pool);
+}
+
+Vector<Polyline> mesh_tangents(hrbfnpr_context& context, const Shape& shape, double angle, hrbfnpr_operation* operation,
+                               Pool& pool) {
+    if (!shape.is_mesh()) fail(Status::invalid_argument, "tangent edges need a mesh; this file has no faces");
+    Vector<Polyline> lines =
+        joined_edges(edges_of_class(context, shape, EdgeClass::tangent, angle, operation, pool), pool);
+    for (Polyline& line : lines)
+        for (int round = 0; round < lines_tuning.arc_rounds; ++round) line = with_middles(line);
+    return lines;
+}
+
+LinesOnce as_lines_once(std::uint32_t kind, const char* name, const Vector<Polyline>& lines, Pool& pool) {
+    LinesOnce once(kind, pool);
+    once.name = name;
+    once.line_first.push_back(0);
+    for (const Polyline& line : lines) {
+        once.points.insert(once.points.end(), line.begin(), line.end());
+        once.line_first.push_back(static_cast<std::uint32_t>(once.points.size()));
+    }
+    return once;
 }
 
 Vector<Polyline> without_facets(Vector<Polyline> creases, double diagonal) {
@@ -256,14 +315,7 @@ LinesOnce lines_of_settings(const hrbfnpr_line_desc& of_file, Pool& pool) {
 LinesOnce edges_of_mesh(const Call& call, const Shape& shape, hrbfnpr_operation* operation) {
     Vector<Polyline> found = mesh_creases(call.context, shape, lines_tuning.crease_angle, operation, call.pool);
     if (call.options.desc.lines == nullptr) found = without_facets(std::move(found), diagonal_of_points(shape.points));
-    LinesOnce lines(HRBFNPR_LINE_KIND_OWN, call.pool);
-    lines.name = "crease";
-    lines.line_first.push_back(0);
-    for (const Polyline& line : found) {
-        lines.points.insert(lines.points.end(), line.begin(), line.end());
-        lines.line_first.push_back(static_cast<std::uint32_t>(lines.points.size()));
-    }
-    return lines;
+    return as_lines_once(HRBFNPR_LINE_KIND_OWN, "crease", found, call.pool);
 }
 
 // Returns the limit of support for a line set: the surface ends where the support is below the limit. The limit is 0 if
@@ -374,9 +426,17 @@ LineSet make_lines(const Call& call, const Surface& surface, const Style& style,
     if (needs_curvature(style)) desc.flags |= HRBFNPR_LINE_SET_WITH_CURVATURE;
 
     LineSet made;
+    const bool has_tangents = wants_kind(wanted, HRBFNPR_LINE_KIND_TANGENT_EDGE);
+    if (has_tangents && !has_faces) call.report.refuse("tangent edges need a mesh; this file has no faces");
+    LinesOnce tangents(HRBFNPR_LINE_KIND_TANGENT_EDGE, call.pool);
     hrbfnpr_line_set_info info{};
     {
         Stage stage(call.report, HRBFNPR_STAGE_LINES);
+        if (has_tangents)
+            tangents = as_lines_once(
+                HRBFNPR_LINE_KIND_TANGENT_EDGE, "",
+                mesh_tangents(call.context, *surface.shape, 0.0, stage.operation(), call.pool), call.pool);
+        if (!tangents.points.empty()) list.push_back(tangents.view());
         made = create_with_edges(call, surface, is_sharp && has_faces, desc, list, stage);
         info = info_of(made);
         stage.says(formatted(call.pool, "%s on %lld triangles",

@@ -31,8 +31,9 @@ struct LinesOnce {
     double shortest = 0.01;
     glm::dvec3 plane{0.0, 0.0, 1.0}; // For SECTION: the common normal of the planes.
     Vector<double> levels;           // For SECTION: the offsets of the planes.
-    Points points;                   // For OWN: the points of the polylines, one polyline after the other.
-    // For OWN: the index in `points` where each polyline begins, and the size of `points`.
+    // For OWN and TANGENT_EDGE: the points of the polylines, one polyline after the other.
+    Points points;
+    // For OWN and TANGENT_EDGE: the index in `points` where each polyline begins, and the size of `points`.
     Vector<std::uint32_t> line_first;
 
     // Returns a descriptor that points to the contents of this object. It is valid until this object changes or is
@@ -56,6 +57,14 @@ struct LinesOnce {
 // polylines come before closed ones. Throws Error{invalid_argument} for a shape without faces.
 [[nodiscard]] Vector<Polyline> mesh_creases(hrbfnpr_context& context, const Shape& shape, double angle,
                                             hrbfnpr_operation* operation, Pool& pool);
+
+// Returns the tangent edges of a mesh, joined to polylines as those of mesh_creases(). Where a polyline bends evenly, it
+// gets more points, so that arcs are round. Sharp edges are found as `angle` says, or if it is 0 as in a fit of the mesh.
+[[nodiscard]] Vector<Polyline> mesh_tangents(hrbfnpr_context& context, const Shape& shape, double angle,
+                                             hrbfnpr_operation* operation, Pool& pool);
+
+// Returns polylines as lines to find once.
+[[nodiscard]] LinesOnce as_lines_once(std::uint32_t kind, const char* name, const Vector<Polyline>& lines, Pool& pool);
 
 // Removes the creases between the facets of a rounded shape: if the creases are short on average, only long creases are
 // kept.

@@ -275,10 +275,11 @@ struct GroupWidths {
     [[nodiscard]] const char* what() const noexcept { return is_lines ? "lines" : "dots"; }
 };
 
-constexpr std::array<const char*, 16> line_kind_groups{
+constexpr std::array<const char*, 17> line_kind_groups{
     "",        "contour", "suggestive", "ridge",  "valley", "apparent ridge", "parabolic", "isophote",
-    "section", "border",  "own",        "crease", "shadow", "terminator",     "soft edge", "intersection"};
-static_assert(line_kind_groups.size() == HRBFNPR_LINE_KIND_INTERSECTION + 1);
+    "section", "border",  "own",        "crease", "shadow", "terminator",     "soft edge",
+    "intersection", "tangent edge"};
+static_assert(line_kind_groups.size() == HRBFNPR_LINE_KIND_TANGENT_EDGE + 1);
 
 String group_of_layer(const hrbfnpr_drawing_layer_info& layer, Pool& pool) {
     String group(layer.name, &pool);

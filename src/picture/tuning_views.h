@@ -181,6 +181,8 @@ struct ViewsTuning {
     std::int64_t marks = 20;
     // The tolerance between computed and written lines in mm, if the caller gives no page.
     double tolerance = 0.02;
+    // Tangent edges end this many widths of an outline before the lines that they would touch. Larger: shorter lines.
+    double tangent_gap = 3.0;
     // Planes closer to the middle than this count as in the middle, in diagonals.
     double in_middle = 1e-6;
 };

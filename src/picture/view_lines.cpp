@@ -174,6 +174,7 @@ Drawing draw_view_lines(const SheetView& view, const char* section, const Solid&
     for (const std::uint32_t kind : {HRBFNPR_LINE_KIND_CONTOUR, HRBFNPR_LINE_KIND_BORDER, HRBFNPR_LINE_KIND_CREASE})
         add(kind, nullptr);
     for (const std::uint32_t kind : solid.smooth) add(kind, nullptr);
+    if (solid.has_tangents) add(HRBFNPR_LINE_KIND_TANGENT_EDGE, nullptr);
     if (view.is_section()) add(HRBFNPR_LINE_KIND_SECTION, section);
 
     auto marks = defaults<hrbfnpr_layer_style>(hrbfnpr_layer_style_init);
@@ -616,7 +617,8 @@ void take_kind(LinesByKind& found, std::uint32_t kind, TracedLines& to) {
     found.erase(lines);
 }
 
-void add_curves(TracedLines&& lines, int rank, double reach, double lift, bool is_smooth, ViewLines& to, Pool& pool) {
+void add_curves(TracedLines&& lines, int rank, double reach, double lift, ViewClass of_class, ViewLines& to,
+                Pool& pool) {
     for (TracedLine& line : lines) {
         ViewCurve curve(pool);
         curve.points = std::move(line.points);
@@ -625,7 +627,7 @@ void add_curves(TracedLines&& lines, int rank, double reach, double lift, bool i
         curve.rank = rank;
         curve.reach = reach;
         curve.lift = lift;
-        curve.is_smooth = is_smooth;
+        curve.of_class = of_class;
         to.curves.push_back(std::move(curve));
     }
 }
@@ -687,11 +689,14 @@ ViewLines lines_of_view(const SheetView& view, const Vector<CutPlane>& planes, c
         take_kind(found, kind, contours);
     TracedLines smooth(&pool);
     for (const std::uint32_t kind : solid.smooth) take_kind(found, kind, smooth);
+    TracedLines tangents(&pool);
+    take_kind(found, HRBFNPR_LINE_KIND_TANGENT_EDGE, tangents);
     TracedLines creases = creases_in(view, solid, scale, pool);
     if (plane != nullptr) {
         contours = asked_lines(parts_behind(contours, *plane, pool), sight, tuned_lines.off_surface);
         creases = parts_behind(creases, *plane, pool);
         smooth = asked_lines(parts_behind(smooth, *plane, pool), sight, tuned_lines.off_surface);
+        tangents = asked_lines(parts_behind(tangents, *plane, pool), sight, tuned_lines.off_edge);
     }
     creases = asked_lines(creases, sight, tuned_lines.off_edge);
 
@@ -705,9 +710,10 @@ ViewLines lines_of_view(const SheetView& view, const Vector<CutPlane>& planes, c
         std::max(view_order_tuning.reach, tuned_lines.near_edge * solid.diagonal * (scale * view.factor));
     const double off_edge = tuned_lines.off_edge * solid.diagonal;
     const double off_surface = tuned_lines.off_surface * solid.diagonal;
-    add_curves(std::move(creases), 1, beside, off_edge, false, made, pool);
-    add_curves(std::move(contours), 2, view_order_tuning.reach, off_surface, false, made, pool);
-    add_curves(std::move(smooth), 3, view_order_tuning.smooth_reach, off_surface, true, made, pool);
+    add_curves(std::move(creases), 1, beside, off_edge, ViewClass::edge, made, pool);
+    add_curves(std::move(contours), 2, view_order_tuning.reach, off_surface, ViewClass::edge, made, pool);
+    add_curves(std::move(tangents), 3, view_order_tuning.reach, off_surface, ViewClass::tangent, made, pool);
+    add_curves(std::move(smooth), 4, view_order_tuning.smooth_reach, off_surface, ViewClass::smooth, made, pool);
     if (solid.is_verified) made.proof = verify_curves(made.curves, view, plane, solid, scale, operation, pool);
     for (const TracedLine& line : sections) {
         ViewCurve curve(pool);

@@ -22,6 +22,7 @@ struct Solid {
     PointSet marks; // marks that a frame needs; they are not drawn
     Renderer renderer;
     Vector<Points> creases;       // the sharp edges of a mesh
+    bool has_tangents = false;    // whether `lines` has tangent edges
     Vector<std::uint32_t> smooth; // the kinds (HRBFNPR_LINE_KIND_*) of lines that are not sharp edges
     glm::dvec3 middle;
     double diagonal = 0.0;    // above 0

@@ -23,9 +23,10 @@ constexpr std::uint32_t continuous = HRBFNPR_LINE_TYPE_CONTINUOUS;
 constexpr std::uint32_t long_dashed_dotted = HRBFNPR_LINE_TYPE_LONG_DASHED_DOTTED;
 
 // The width, pen and line type of each kind of line, indexed by SheetKind.
-constexpr std::array<KindOfLine, 14> kinds_of_lines{{{"hatching", 0.5, false, 2, continuous},
+constexpr std::array<KindOfLine, 15> kinds_of_lines{{{"hatching", 0.5, false, 2, continuous},
                                                      {"centre lines", 0.5, false, 2, long_dashed_dotted},
                                                      {"smooth", 0.5, false, 2, continuous},
+                                                     {"tangent", 0.5, false, 2, continuous},
                                                      {"hidden", 0.5, false, 2, HRBFNPR_LINE_TYPE_DASHED},
                                                      {"cutting planes", 0.5, false, 2, long_dashed_dotted},
                                                      {"outlines", 1.0, false, 1, continuous},

@@ -21,6 +21,7 @@ enum class SheetKind : std::uint32_t {
     hatching,
     centre_lines,
     smooth,
+    tangent,
     hidden,
     cutting_planes,
     outlines,

@@ -98,13 +98,13 @@ struct CurvePart {
 };
 
 // Extends the free parts of a line up to the lines that it meets. Just before two lines meet, they run close together,
-// or one of them continues the other.
-void run_on(Flags& free, const Vector<double>& at, double reach, Pool& pool) {
+// for at most the length `joining`, or one of them continues the other.
+void run_on(Flags& free, const Vector<double>& at, double reach, double joining, Pool& pool) {
     const Vector<Run> runs = runs_of(free, pool);
     const auto length = [&](std::size_t i) { return at[runs[i].end - 1] - at[runs[i].begin]; };
     for (std::size_t i = 0; i < runs.size(); ++i) {
         if (runs[i].value || runs.size() == 1) continue;
-        double most = tuned.joining;
+        double most = joining;
         if (i > 0) most = std::min(most, length(i - 1));
         if (i + 1 < runs.size()) most = std::min(most, length(i + 1));
         if (length(i) < std::max(2.0 * reach, most))
@@ -142,20 +142,21 @@ Vector<std::pair<double, double>> take_free(const ViewCurve& curve, const Vector
         free[i] = 1;
         taken.add(place);
     }
-    run_on(free, at, curve.reach, pool);
+    // A hidden line has a gap along a visible one, however short that is [ISO 128-2].
+    run_on(free, at, curve.reach, part.hidden ? 0.0 : tuned.joining, pool);
     Vector<std::pair<double, double>> lengths(&pool);
     for (const Run& run : runs_of(free, pool))
         if (run.value && run.end > run.begin + 1) lengths.emplace_back(at[run.begin], at[run.end - 1]);
     return lengths;
 }
 
-PaperLine between_lengths(const ViewCurve& curve, const Vector<double>& along, double begin, double end, Pool& pool) {
+PaperLine between_lengths(const PaperLine& points, const Vector<double>& along, double begin, double end, Pool& pool) {
     constexpr double nothing = 1e-9; // Shorter lengths count as 0, in mm.
     PaperLine line(&pool);
-    line.push_back(interpolated<glm::dvec2>(along, curve.points, begin));
+    line.push_back(interpolated<glm::dvec2>(along, points, begin));
     for (std::size_t i = 0; i < along.size(); ++i)
-        if (along[i] > begin + nothing && along[i] < end - nothing) line.push_back(curve.points[i]);
-    line.push_back(interpolated<glm::dvec2>(along, curve.points, end));
+        if (along[i] > begin + nothing && along[i] < end - nothing) line.push_back(points[i]);
+    line.push_back(interpolated<glm::dvec2>(along, points, end));
     return line;
 }
 
@@ -285,20 +286,32 @@ ShownLines draw_in_order(const Vector<ViewCurve>& curves, bool with_hidden, Pool
         return std::pair(a.rank, a.begin - a.end) < std::pair(b.rank, b.begin - b.end);
     });
     TakenPlaces taken(cell, pool);
-    const auto draw = [&](Vector<PaperLine>& found, bool hidden, bool is_smooth, double shortest) {
+    const auto draw = [&](Vector<PaperLine>& found, bool hidden, ViewClass of_class, double shortest) {
         for (const CurvePart& part : parts) {
             const ViewCurve& curve = curves[part.curve];
-            if (part.hidden != hidden || curve.is_smooth != is_smooth || part.end - part.begin < shortest) continue;
+            if (part.hidden != hidden || curve.of_class != of_class || part.end - part.begin < shortest) continue;
             for (const auto& [begin, end] : take_free(curve, along[part.curve], part, taken, pool))
                 if (end - begin >= tuned.shortest_rest)
-                    found.push_back(between_lengths(curve, along[part.curve], begin, end, pool));
+                    found.push_back(between_lengths(curve.points, along[part.curve], begin, end, pool));
         }
         found = bridged(std::move(found), short_parts_of(curves, along, parts, !hidden, pool), pool);
     };
-    draw(shown.outlines, false, false, tuned.shortest_outline);
-    if (with_hidden) draw(shown.hidden, true, false, tuned.shortest_hidden);
-    draw(shown.smooth, false, true, tuned.shortest_smooth);
+    draw(shown.outlines, false, ViewClass::edge, tuned.shortest_outline);
+    draw(shown.tangent, false, ViewClass::tangent, tuned.shortest_outline);
+    if (with_hidden) draw(shown.hidden, true, ViewClass::edge, tuned.shortest_hidden);
+    draw(shown.smooth, false, ViewClass::smooth, tuned.shortest_smooth);
     return shown;
+}
+
+Vector<PaperLine> shortened(const Vector<PaperLine>& lines, double gap, Pool& pool) {
+    HRBFNPR_ASSERT(gap >= 0.0);
+    Vector<PaperLine> made(&pool);
+    for (const PaperLine& line : lines) {
+        const Vector<double> along = lengths_along(line, pool);
+        const double less = line.front() == line.back() ? 0.0 : std::min(gap, 0.25 * along.back());
+        made.push_back(between_lengths(line, along, less, along.back() - less, pool));
+    }
+    return made;
 }
 
 } // namespace hrbfnpr::picture

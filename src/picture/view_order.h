@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws coinciding lines of a view once. Visible lines have priority over hidden lines, and hidden lines over smooth
-// lines [ISO 128-2]. In views along planes of symmetry and along flat faces, nearly every line coincides with a line
+// Draws coinciding lines of a view once. Visible edges have priority over tangent edges, these over hidden edges, and
+// hidden edges over smooth lines [ISO 128-2]. In views along planes of symmetry and along flat faces, nearly every line coincides with a line
 // farther away.
 #pragma once
 
@@ -9,6 +9,10 @@
 #include "picture/view_polylines.h"
 
 namespace hrbfnpr::picture {
+
+// The class of a line. Sharp edges and contours are drawn thick. The visible parts of tangent edges and smooth lines are
+// drawn thin, and their hidden parts are not drawn.
+enum class ViewClass : std::uint8_t { edge, tangent, smooth };
 
 // A line on the paper, with at least two points.
 struct ViewCurve {
@@ -19,8 +23,7 @@ struct ViewCurve {
     int rank = 1;     // Curves of lower rank are drawn first.
     // Other lines of this kind are left out if they are nearly parallel to the curve and nearer to it than this, in mm.
     double reach = view_order_tuning.reach;
-    // True if the line is not a sharp edge. Its visible parts are drawn thin, and its hidden parts are not drawn.
-    bool is_smooth = false;
+    ViewClass of_class = ViewClass::edge;
     Points places;     // the places in the model of the points; empty if they are not known
     double lift = 0.0; // how far a place may be inside the model, in units of the model
     // 1 if rays show that the piece from point i to point i + 1 is hidden or visible as `hidden` says; may be empty
@@ -29,16 +32,21 @@ struct ViewCurve {
 
 // The lines to draw.
 struct ShownLines {
-    explicit ShownLines(Pool& pool) : outlines(&pool), hidden(&pool), smooth(&pool) {}
+    explicit ShownLines(Pool& pool) : outlines(&pool), hidden(&pool), tangent(&pool), smooth(&pool) {}
 
     Vector<PaperLine> outlines;
     Vector<PaperLine> hidden;
+    Vector<PaperLine> tangent;
     Vector<PaperLine> smooth;
 };
 
 // Draws at most one line at each place of the paper. Lines are taken by kind, then by rank, the long parts first.
 // Hidden lines are drawn only if `with_hidden` is true.
 [[nodiscard]] ShownLines draw_in_order(const Vector<ViewCurve>& curves, bool with_hidden, Pool& pool);
+
+// Returns the lines without the length `gap` at each end. A line gives up at most half of its length. Closed lines stay
+// as they are.
+[[nodiscard]] Vector<PaperLine> shortened(const Vector<PaperLine>& lines, double gap, Pool& pool);
 
 // Returns the flags of the hidden pieces after removing parts that are too short to be seen, unless they are sure.
 [[nodiscard]] Flags steady(const ViewCurve& curve, Pool& pool);

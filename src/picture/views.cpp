@@ -46,7 +46,9 @@ constexpr auto views_fields() noexcept {
         field("line_width", &D::line_width, on_paper),
         field("hatch_spacing", &D::hatch_spacing, on_paper),
         field("spacing", &D::spacing, positive),
-        field("page", &D::page, rule::Any{})};
+        field("page", &D::page, rule::Any{}),
+        field("tangent", &D::tangent, rule::OneOf{HRBFNPR_VIEWS_TANGENT_NONE, "HRBFNPR_VIEWS_TANGENT_*"}),
+        reserved("reserved", &D::reserved)};
 }
 static_assert(views_fields().covers<ViewsDesc>());
 
@@ -216,7 +218,16 @@ Vector<LinesOnce> lines_once(const ViewsOptions& options, const SheetPlan& plan,
 void trace_lines_of(Solid& solid, const Call& call_, const Surface& surface, const ViewsOptions& options,
                     const SheetPlan& plan) {
     Pool& pool = call_.pool;
-    const Vector<LinesOnce> once = lines_once(options, plan, pool);
+    Stage stage(call_.report, HRBFNPR_STAGE_LINES);
+    const bool has_mesh = surface.shape != nullptr && surface.shape->is_mesh();
+    Vector<LinesOnce> once = lines_once(options, plan, pool);
+    if (has_mesh && options.tangent != TangentLines::none) {
+        LinesOnce tangents =
+            as_lines_once(HRBFNPR_LINE_KIND_TANGENT_EDGE, "",
+                          mesh_tangents(call_.context, *surface.shape, 0.0, stage.operation(), pool), pool);
+        solid.has_tangents = !tangents.points.empty();
+        if (solid.has_tangents) once.push_back(std::move(tangents));
+    }
     Vector<hrbfnpr_line_desc> list(&pool);
     for (const LinesOnce& lines : once) list.push_back(lines.view());
     auto desc = defaults<hrbfnpr_line_set_desc>(hrbfnpr_line_set_desc_init);
@@ -227,8 +238,7 @@ void trace_lines_of(Solid& solid, const Call& call_, const Surface& surface, con
                                           HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR) != options.smooth.end();
     if (has_suggestive) desc.flags = HRBFNPR_LINE_SET_WITH_CURVATURE;
 
-    Stage stage(call_.report, HRBFNPR_STAGE_LINES);
-    if (surface.shape != nullptr && surface.shape->is_mesh())
+    if (has_mesh)
         solid.creases = without_loose_edges(
             mesh_creases(call_.context, *surface.shape, options.crease_angle, stage.operation(), pool), plan.diagonal,
             pool);
@@ -394,6 +404,11 @@ SheetContent draw_sheet(const Call& call, const Surface& surface, const ViewsOpt
         add_lines(content, SheetKind::outlines, shown.outlines, placed);
         add_lines(content, SheetKind::hidden, shown.hidden, placed);
         add_lines(content, SheetKind::smooth, shown.smooth, placed);
+        add_lines(content, SheetKind::tangent,
+                  options.tangent == TangentLines::cut_short
+                      ? shortened(shown.tangent, views_tuning.tangent_gap * options.line_width, pool)
+                      : shown.tangent,
+                  placed);
         add_hatching(content, faces_of_cut(lines.outlines, solid, placed, call), options, placed, call);
         mark_view(content, placed, cell, plan, symmetric);
         if (i > 0) names += ", ";
@@ -453,6 +468,7 @@ ViewsOptions read_views(const hrbfnpr_views_desc& desc, const Report& report) {
                     report);
     options.cuts = parse_sections(views_text(desc.sections, "sections", ""), report);
     options.hidden = static_cast<HiddenLines>(desc.hidden);
+    options.tangent = static_cast<TangentLines>(desc.tangent);
     options.centre_lines = has(HRBFNPR_VIEWS_CENTRE_LINES);
     options.labels = has(HRBFNPR_VIEWS_LABELS);
     options.unit_is_metre = has(HRBFNPR_VIEWS_UNIT_IS_METRE);

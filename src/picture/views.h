@@ -20,6 +20,7 @@
 namespace hrbfnpr::picture {
 
 enum class HiddenLines : std::uint32_t { dashed, none, shown };
+enum class TangentLines : std::uint32_t { cut_short, thin, none };
 
 // The content of an hrbfnpr_views_desc.
 struct ViewsOptions {
@@ -29,6 +30,7 @@ struct ViewsOptions {
     Vector<AskedCut> cuts;
     Projection projection = Projection::first;
     HiddenLines hidden = HiddenLines::dashed;
+    TangentLines tangent = TangentLines::cut_short;
     bool centre_lines = false;
     bool labels = false;
     bool verify = false;

@@ -18,7 +18,7 @@ struct LineName {
 };
 
 // The kinds of lines with the names that users write.
-constexpr std::array<LineName, 28> line_names{LineName{"contour", HRBFNPR_LINE_KIND_CONTOUR},
+constexpr std::array<LineName, 31> line_names{LineName{"contour", HRBFNPR_LINE_KIND_CONTOUR},
                                               LineName{"contours", HRBFNPR_LINE_KIND_CONTOUR},
                                               LineName{"suggestive", HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR},
                                               LineName{"suggestive_contour", HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR},
@@ -45,7 +45,10 @@ constexpr std::array<LineName, 28> line_names{LineName{"contour", HRBFNPR_LINE_K
                                               LineName{"soft_edge", HRBFNPR_LINE_KIND_SOFT_EDGE},
                                               LineName{"soft_edges", HRBFNPR_LINE_KIND_SOFT_EDGE},
                                               LineName{"intersection", HRBFNPR_LINE_KIND_INTERSECTION},
-                                              LineName{"intersections", HRBFNPR_LINE_KIND_INTERSECTION}};
+                                              LineName{"intersections", HRBFNPR_LINE_KIND_INTERSECTION},
+                                              LineName{"tangent", HRBFNPR_LINE_KIND_TANGENT_EDGE},
+                                              LineName{"tangent_edge", HRBFNPR_LINE_KIND_TANGENT_EDGE},
+                                              LineName{"tangent_edges", HRBFNPR_LINE_KIND_TANGENT_EDGE}};
 
 constexpr std::array<double, 3> usual_levels{0.25, 0.5, 0.75};
 
@@ -64,7 +67,7 @@ std::uint32_t line_kind_of(std::string_view name) {
         if (is_line_name(one.name, name)) return one.kind;
     fail(Status::invalid_argument,
          "there are no lines '%.*s'; there are contour, suggestive, ridges, valleys, apparent, parabolic, isophotes, "
-         "section, border, crease, intersection, shadow, terminator, soft and none",
+         "section, border, crease, intersection, shadow, terminator, soft, tangent and none",
          shown_length(name), name.data());
 }
 
@@ -171,7 +174,8 @@ void add_styles_of(const WantedLine& wanted, const hrbfnpr_line_style& contour, 
         line.hidden = HRBFNPR_HIDDEN_PARTS_NONE;
     if (!is_border) line.outline_factor = 1.0F;
     if (!is_edge) line.width = scaled_line_length(line.width, line_style_tuning.fine_width);
-    if (is_edge || wanted.kind == HRBFNPR_LINE_KIND_SECTION) line.taper = 0.0F;
+    if (is_edge || wanted.kind == HRBFNPR_LINE_KIND_SECTION || wanted.kind == HRBFNPR_LINE_KIND_TANGENT_EDGE)
+        line.taper = 0.0F;
     if (!wanted.levels.empty()) line.levels = style.keep_levels(wanted.levels.data(), wanted.levels.size());
     style.lines.push_back(line);
     if (!is_crease) return;
@@ -205,7 +209,7 @@ std::uint32_t hidden_parts_of(std::uint32_t hidden_lines) noexcept {
 
 bool wants_finding_once(std::uint32_t kind) noexcept {
     return kind == HRBFNPR_LINE_KIND_RIDGE || kind == HRBFNPR_LINE_KIND_VALLEY || kind == HRBFNPR_LINE_KIND_PARABOLIC ||
-           kind == HRBFNPR_LINE_KIND_SOFT_EDGE;
+           kind == HRBFNPR_LINE_KIND_SOFT_EDGE || kind == HRBFNPR_LINE_KIND_TANGENT_EDGE;
 }
 
 } // namespace

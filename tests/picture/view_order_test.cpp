@@ -96,11 +96,55 @@ TEST_F(ViewOrderTest, TheLowestRankOfVisibleLinesIsDrawn) {
 }
 
 TEST_F(ViewOrderTest, SmoothLinesAreDrawnWhereTheyAreVisible) {
-    add({{0, 0}, {30, 0}}, true).is_smooth = true;
-    add({{0, 5}, {30, 5}}).is_smooth = true;
+    add({{0, 0}, {30, 0}}, true).of_class = ViewClass::smooth;
+    add({{0, 5}, {30, 5}}).of_class = ViewClass::smooth;
     const ShownLines lines = shown();
     EXPECT_EQ(spans(lines.smooth), (Spans{{0, 30}}));
     EXPECT_TRUE(lines.hidden.empty() && lines.outlines.empty());
+}
+
+TEST_F(ViewOrderTest, VisibleTangentEdgesComeBeforeHiddenEdges) {
+    add({{0, 0}, {30, 0}}).of_class = ViewClass::tangent;
+    add({{0, 0.1}, {30, 0.1}}, true);
+    add({{0, 5}, {30, 5}}, true).of_class = ViewClass::tangent;
+    add({{0, 10}, {30, 10}}).of_class = ViewClass::tangent;
+    add({{-5, 10.1}, {20, 10.1}});
+    const ShownLines lines = shown();
+    EXPECT_TRUE(lines.hidden.empty());
+    EXPECT_EQ(spans(lines.outlines), (Spans{{-5, 20}}));
+    const Spans found = spans(lines.tangent);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0], (std::pair{0.0, 30.0}));
+    EXPECT_NEAR(found[1].first, 20.0, 0.5);
+    EXPECT_EQ(found[1].second, 30.0);
+}
+
+TEST_F(ViewOrderTest, ShortenedLinesTouchNothing) {
+    const Vector<PaperLine> lines({{{0, 0}, {10, 0}, {30, 0}}, {{0, 0}, {2, 0}}, {{0, 0}, {4, 0}, {0, 4}, {0, 0}}}, &pool);
+    const Vector<PaperLine> made = shortened(lines, 1.5, pool);
+    ASSERT_EQ(made.size(), 3U);
+    EXPECT_EQ(made[0], (PaperLine({{1.5, 0}, {10, 0}, {28.5, 0}}, &pool)));
+    EXPECT_EQ(made[1], (PaperLine({{0.5, 0}, {1.5, 0}}, &pool)));
+    EXPECT_EQ(made[2], lines[2]);
+}
+
+TEST_F(ViewOrderTest, HiddenLinesAreLeftOutAlongShortVisibleOnes) {
+    add({{0, 0}, {30, 0}}, true);
+    add({{13, 0.1}, {17, 0.1}});
+    const Spans found = spans(shown().hidden);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_NEAR(found[0].second, 13.0, 0.5);
+    EXPECT_NEAR(found[1].first, 17.0, 0.5);
+}
+
+TEST_F(ViewOrderTest, AHiddenCircleIsLeftOutBesideAVisibleArc) {
+    add_circle(0.0, 90); // Its first half is hidden.
+    add_circle(1.0, 180).points.resize(136);
+    curves.back().hidden.resize(135); // A hidden arc of 270 degrees, on the same circle.
+    const ShownLines lines = shown();
+    double hidden = 0.0;
+    for (const PaperLine& line : lines.hidden) hidden += length_of_line(line);
+    EXPECT_NEAR(hidden, 4.0 * std::numbers::pi, 1.5);
 }
 
 TEST_F(ViewOrderTest, LinesThatContinueEachOtherHaveNoGap) {

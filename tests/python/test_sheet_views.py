@@ -222,3 +222,45 @@ def test_solids_have_centre_lines(tmp_path):
     paths = drawn(tmp_path / "part.csg", tmp_path, "--views", "top", "--centre-lines", "--scale", "10:1", "--up", "z")
     low, high = box_of(paths, "centre lines top")
     assert high - low == pytest.approx((46, 0), abs=0.5)  # only along x, because the hole is off centre
+
+
+@pytest.fixture(scope="module")
+def pin(tmp_path_factory):
+    """A pin of radius 10 on a plate of radius 30, with a fillet of radius 3 where they meet and a rounded top edge."""
+    quarter = np.linspace(0, np.pi / 2, 9)
+    fillet = [(13 - 3 * np.sin(a), 8 - 3 * np.cos(a)) for a in quarter]
+    top = [(7 + 3 * np.cos(a), 27 + 3 * np.sin(a)) for a in quarter]
+    r, z = np.array([(0, 0), (30, 0), (30, 5), *fillet, *top, (0, 30)]).T
+    turn, count = 2 * np.pi * np.arange(48)[:, None] / 48, len(r)
+    points = np.stack((r * np.cos(turn), r * np.sin(turn), np.broadcast_to(z, (48, count))), axis=-1).reshape(-1, 3)
+    at = np.arange(48 * count).reshape(48, count)
+    beside = np.roll(at, -1, 0)
+    quads = np.stack((at, beside, np.roll(beside, -1, 1), np.roll(at, -1, 1)), axis=-1)[:, :-1].reshape(-1, 4)
+    path = tmp_path_factory.mktemp("views") / "pin.obj"
+    path.write_text("".join(["v {:g} {:g} {:g}\n".format(*p) for p in points]
+                            + ["f {} {} {} {}\n".format(*q) for q in quads + 1]))  # fmt: skip
+    return path
+
+
+@pytest.mark.parametrize("how, gap", [("thin", 0.0), ("short", 1.5)])
+def test_tangent_edges_are_thin_lines(pin, tmp_path, how, gap):
+    """From the front, the four circles of both fillets are level lines from one outline to the other."""
+    paths = drawn(pin, tmp_path, "--up", "z", "--views", "front,top", "--scale", "1:1", "--tangent", how)
+    lines = sorted(paths["tangent front"], key=lambda line: -line[:, 1].mean())
+    bottom = box_of(paths, "outlines front")[1][1]
+    for line, (height, radius) in zip(lines, ((8, 10), (27, 10))):
+        assert bottom - line[:, 1] == pytest.approx(np.full(len(line), height), abs=0.1)
+        assert np.ptp(line[:, 0]) == pytest.approx(2 * (radius - gap), abs=0.8)
+    assert len(lines) == 2  # the circles in the planes of the plate and of the top coincide with outlines
+    low, high = box_of(paths, "tangent top")
+    assert high - low == pytest.approx([26, 26], abs=0.1)
+
+
+def test_tangent_edges_can_be_left_out(pin, tmp_path):
+    paths = drawn(pin, tmp_path, "--up", "z", "--views", "front", "--scale", "1:1", "--tangent", "none")
+    assert not any(name.startswith("tangent") for name in paths)
+
+
+def test_scans_have_no_tangent_edges(egg, ring, bush, tmp_path):
+    for model in (egg, ring, bush):
+        assert not any(name.startswith("tangent") for name in drawn(model, tmp_path, "--views", "front,iso"))

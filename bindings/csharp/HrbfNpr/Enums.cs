@@ -377,6 +377,11 @@ namespace HrbfNpr
         /// creases.
         /// </remarks>
         Intersection = 15,
+        /// <summary>
+        /// Edges of a part along which two surfaces touch without a kink, such as those of a fillet; once.  The caller gives
+        /// them as polylines, as Own.  <see cref="TriangleMesh.FindEdges"/> finds them in a mesh.
+        /// </summary>
+        TangentEdge = 16,
     }
 
     /// <summary>Which creases are drawn.</summary>

@@ -8,13 +8,13 @@ namespace HrbfNpr
     public sealed class LineOptions
     {
         /// <summary>Creates options with all defaults.</summary>
-        /// <param name="kind">The kind of lines: Ridge, Valley, Parabolic, Section, Own or SoftEdge.</param>
+        /// <param name="kind">The kind of lines: Ridge, Valley, Parabolic, Section, Own, SoftEdge or TangentEdge.</param>
         public LineOptions(LineKind kind = LineKind.Ridge)
         {
             Kind = kind;
         }
 
-        /// <summary>The kind of lines: Ridge, Valley, Parabolic, Section, Own or SoftEdge; default Ridge.</summary>
+        /// <summary>The kind of lines: Ridge, Valley, Parabolic, Section, Own, SoftEdge or TangentEdge; default Ridge.</summary>
         public LineKind Kind { get; set; }
 
         /// <summary>

@@ -381,4 +381,21 @@ namespace HrbfNpr
         /// <summary>Hidden edges are continuous thin lines.</summary>
         Shown = 2,
     }
+
+    /// <summary>
+    /// How tangent edges are drawn, along which two surfaces of a part touch without a kink, such as those of a fillet.
+    /// They are continuous thin lines; hidden ones are not drawn.
+    /// </summary>
+    [NativeConstants("HRBFNPR_VIEWS_TANGENT_")]
+    public enum TangentEdges
+    {
+        /// <summary>
+        /// Tangent edges end three widths of an outline before the lines that they would touch (default).
+        /// </summary>
+        Short = 0,
+        /// <summary>Tangent edges go up to the lines that they touch.</summary>
+        Thin = 1,
+        /// <summary>Tangent edges are not drawn.</summary>
+        None = 2,
+    }
 }

@@ -71,6 +71,9 @@ namespace HrbfNpr
         /// <summary>How hidden edges are drawn; default Dashed.</summary>
         public HiddenEdges Hidden { get; set; }
 
+        /// <summary>How tangent edges are drawn; default Short.</summary>
+        public TangentEdges Tangent { get; set; }
+
         /// <summary>
         /// Names of views with commas between: front, back, left, right, top, bottom, iso; default null =
         /// "front,left,top,iso", or "front,right,top,iso" with third angle.
@@ -148,6 +151,7 @@ namespace HrbfNpr
                 | (Verify ? 8u : 0);
             desc->projection = (uint)Projection;
             desc->hidden = (uint)Hidden;
+            desc->tangent = (uint)Tangent;
             desc->views = pins.Text(Views);
             desc->sections = pins.Text(Sections);
             desc->paper = pins.Text(Paper);

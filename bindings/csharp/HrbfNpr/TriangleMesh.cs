@@ -132,7 +132,7 @@ namespace HrbfNpr
         /// </summary>
         /// <remarks>Several threads may call it at the same time.</remarks>
         /// <param name="sharp">Receives three numbers for each face: 1 if the edge from that corner to the next one is
-        /// sharp, else 0.</param>
+        /// sharp, 2 if it is a tangent edge, else 0.</param>
         /// <param name="patches">Receives the number of each face's patch, from 0 in the order of their first
         /// faces.</param>
         /// <param name="edges">Which edges are sharp; default Auto.</param>
@@ -143,10 +143,11 @@ namespace HrbfNpr
         /// of it.</param>
         /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
+        /// <param name="tangent">Whether tangent edges are found, too, as those of fillets.</param>
         public MeshEdgesInfo FindEdges(
             out int[] sharp, out int[] patches, MeshEdges edges = MeshEdges.Auto, double creaseAngle = 30,
             double far = 0, IProgress<double> progress = null,
-            CancellationToken cancellationToken = default(CancellationToken))
+            CancellationToken cancellationToken = default(CancellationToken), bool tangent = false)
         {
             patches = new int[Info.Faces];
             sharp = new int[3 * patches.Length];
@@ -155,6 +156,7 @@ namespace HrbfNpr
             desc.edges = (uint)edges;
             desc.crease_angle = creaseAngle;
             desc.far = far;
+            desc.tangent = tangent ? 1u : 0;
             MeshEdgesInfo info;
             Errors.Check(NativeMethods.hrbfnpr_mesh_edges_info_init(&info, (uint)sizeof(MeshEdgesInfo)));
             using (var pins = new Pins())

@@ -15,7 +15,7 @@ class LineStyle(LineStyleFields, KindStyle):
     Parameters
     ----------
     kind : {"contour", "suggestive_contour", "ridge", "valley", "apparent_ridge", "parabolic", "isophote", "section", \
-            "border", "own", "crease", "shadow", "terminator", "soft_edge", "intersection"}
+            "border", "own", "crease", "shadow", "terminator", "soft_edge", "intersection", "tangent_edge"}
         The kind of lines that the style is for.
     name : str, optional
         For lines that are found once: the name of the lines that the style is for; None: any name.

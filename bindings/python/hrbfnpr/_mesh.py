@@ -170,6 +170,7 @@ class Mesh(Owner):
         edges: str = "auto",
         crease_angle: float = 30.0,
         far: float = 0.0,
+        tangent: bool = False,
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
     ) -> MeshEdges:
@@ -189,6 +190,9 @@ class Mesh(Owner):
         far : float
             Distance that decides about coarse faces, in the mesh's unit; 0 = 0.01 diagonals.  If a round surface would
             leave such faces by more than four fifths of it, they stay flat, with sharp edges.
+        tangent : bool
+            Whether tangent edges are found, too.  Along these, two surfaces of a part touch without a kink but bend
+            differently, such as a fillet and a plane.
         progress, operation
             As in `Model.fit`.
 
@@ -199,6 +203,7 @@ class Mesh(Owner):
         """
         desc, info = new_struct("hrbfnpr_mesh_edges_desc"), new_struct("hrbfnpr_mesh_edges_info")
         desc.edges, desc.crease_angle, desc.far = number_of("edges", EDGES, edges), crease_angle, far
+        desc.tangent = tangent
         count = self.triangles.shape[0]
         patches, patches_out = output("patch", new_array((count,), "i"), (count,), 1, "i")
         sharp, sharp_out = output("sharp", new_array((count, 3), "i"), (count,), 3, "i")

@@ -21,10 +21,10 @@ MADE = MADE_KINDS
 PAPERS = ("a0", "a1", "a2", "a3", "a4", "a5", "a6", "letter", "legal", "tabloid")
 LINES = (
     "contour", "suggestive", "ridges", "valleys", "apparent", "parabolic", "isophotes", "section", "border", "crease",
-    "intersection", "shadow", "terminator", "soft",
+    "intersection", "shadow", "terminator", "soft", "tangent",
 )  # fmt: skip
 _ALSO_LINES = ("ridge", "valley", "contours", "isophote", "sections", "borders", "creases", "intersections", "shadows",
-               "terminators", "soft_edge", "soft_edges")
+               "terminators", "soft_edge", "soft_edges", "tangent_edge", "tangent_edges")
 
 
 def words_of(error: BaseException) -> str:

@@ -66,7 +66,8 @@ int rank_of(std::uint32_t kind) noexcept {
     case LineKind::ridge:
     case LineKind::valley:
     case LineKind::apparent_ridge:
-    case LineKind::suggestive_contour: return 4;
+    case LineKind::suggestive_contour:
+    case LineKind::tangent_edge: return 4;
     default: return -1;
     }
 }

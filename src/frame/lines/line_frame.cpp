@@ -236,7 +236,7 @@ void add_lines(const base::Runtime& runtime, const LineSource& source, const cur
         visibility::Subject& subject = add_subject(source, parts.curves, out);
         subject.sheet_change = sheets;
         if (style == nullptr) continue;
-        if (style->kind == LineKind::own) subject.clearance = line_tuning.caller_line_clearance;
+        if (curves::is_given(style->kind)) subject.clearance = line_tuning.caller_line_clearance;
         subject.joined =
             is_shadow(style->kind) || (style->kind == LineKind::section && source.lines().creases().count() > 0);
         out.styles.push_back({style, number, layer, parts.strength.data()});

@@ -175,5 +175,7 @@ namespace HrbfNpr
         internal double hatch_spacing;
         internal double spacing;
         internal IntPtr page;
+        internal uint tangent;
+        internal uint reserved;
     }
 }

@@ -385,6 +385,8 @@ namespace HrbfNpr
         internal uint edges;
         internal double crease_angle;
         internal double far;
+        internal uint tangent;
+        internal uint reserved;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_compare_desc")]

@@ -203,6 +203,9 @@ def _add_views(parser: Parser) -> None:
          "for glTF)")  # fmt: skip
     group.add_argument("--hidden", choices=("dashed", "none", "shown"), default="dashed", metavar="NAME", help="hidden edges: "
                        "dashed, none or shown (default: dashed)")  # fmt: skip
+    group.add_argument("--tangent", choices=("short", "thin", "none"), default="short", metavar="NAME", help="edges of "
+                       "fillets and other edges without a kink: short (thin lines that touch no outline), thin or none "
+                       "(default: short)")  # fmt: skip
     _add(group, "--smooth", _smooth, "KINDS", "rounded edges to draw as thin lines, with commas between: "
          f"{', '.join(SMOOTH)} or none (default: none)")
     _add(group, "--crease-angle", values.positive, "DEGREES", "angle in degrees above which an edge between faces is sharp "

@@ -136,6 +136,7 @@ def _views_desc(arguments: Any, scene: Scene, format: str) -> Any:
         desc.flags |= ffi.integer_const(f"HRBFNPR_VIEWS_{flag}") if wanted else 0
     desc.projection = ffi.integer_const(f"HRBFNPR_VIEWS_ANGLE_{arguments.projection.upper()}")
     desc.hidden = ffi.integer_const(f"HRBFNPR_VIEWS_HIDDEN_{arguments.hidden.upper()}")
+    desc.tangent = ffi.integer_const(f"HRBFNPR_VIEWS_TANGENT_{arguments.tangent.upper()}")
     texts = {"views": ",".join(arguments.views or ()), "sections": ";".join(arguments.section), "paper": arguments.page,
              "scale": arguments.scale, "smooth": arguments.smooth, "title": arguments.title}  # fmt: skip
     for name, text in texts.items():
