@@ -203,9 +203,9 @@ double plan_tolerance_of_group(double diagonal, double across) noexcept {
 
 namespace {
 
-// Returns the least value of EndPlan::off, in diagonals. The corners of an open mesh are rounded by about this much, and
-// strips narrower than this end beyond their border. The value allows for the distance between mesh and surface, and for
-// the number of places along a long border.
+// Returns the least value of EndPlan::off, in diagonals. The corners of an open mesh are rounded by about this much,
+// and strips narrower than this end beyond their border. The value allows for the distance between mesh and surface,
+// and for the number of places along a long border.
 double least_off(const EndFacts& facts) noexcept {
     const double farthest = std::max(facts.mesh_p99, facts.surface_p99);
     if (facts.border == 0.0 || !(farthest < plan_tuning.least_off * facts.diagonal)) return plan_tuning.least_off;

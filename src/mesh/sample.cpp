@@ -208,7 +208,8 @@ MeshSamples end_samples(const base::Work& work, const Mesh& mesh, const FaceTree
             const std::int64_t at = nearest_in(border_tree, even.position[i]);
             if (at < 0) continue;
             const double away = glm::distance(border.position[at], even.position[i]);
-            const double to_row = glm::distance(row.position[nearest_in(rows_tree, even.position[i])], even.position[i]);
+            const double to_row =
+                glm::distance(row.position[nearest_in(rows_tree, even.position[i])], even.position[i]);
             const auto is_beside = [&](const BorderRow& one) {
                 return away < one.inset + one.spacing && to_row < mesh_tuning.crowded * one.spacing;
             };

@@ -61,8 +61,8 @@ private:
 
 // Returns samples that show where an open mesh ends: a support of them ends where the mesh ends (surface/support.h).
 // They are `count` even samples. Near the border, rows of samples replace the even ones, because random samples would
-// end the surface like torn paper. The distance of the first row from the border is such that s is 1.5 on the border, if no
-// spacing of the support is less than `closest`. The borders of holes that stay closed have no row.
+// end the surface like torn paper. The distance of the first row from the border is such that s is 1.5 on the border,
+// if no spacing of the support is less than `closest`. The borders of holes that stay closed have no row.
 [[nodiscard]] MeshSamples end_samples(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                       std::int64_t count, double closest, std::uint64_t seed);
 

@@ -60,7 +60,8 @@ struct MeshTuning {
     double replaced = 1.7;
     // The spacing of a row, in spacings of the row before it. Larger: fewer rows, and holes between them.
     double row_growth = 1.5;
-    // The least spacing of the last row, in spacings of the even samples. Larger: more rows. Smaller: holes beside them.
+    // The least spacing of the last row, in spacings of the even samples. Larger: more rows. Smaller: holes beside
+    // them.
     double last_row = 1.5;
     // Even samples nearer to a row than this, in spacings of the row, are left out. Larger: holes beside the rows.
     double crowded = 0.8;

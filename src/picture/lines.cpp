@@ -198,7 +198,8 @@ Polyline with_middles(const Polyline& line) {
     const bool is_closed = pieces > 2 && line.front() == line.back();
     const auto continues = [&](std::size_t piece, std::size_t next) {
         const glm::dvec3 a = line[piece + 1] - line[piece], b = line[next + 1] - line[next];
-        const double shorter = std::min(glm::length(a), glm::length(b)), longer = std::max(glm::length(a), glm::length(b));
+        const double shorter = std::min(glm::length(a), glm::length(b)),
+                     longer = std::max(glm::length(a), glm::length(b));
         return shorter > lines_tuning.arc_pieces * longer &&
                glm::dot(a, b) > std::cos(lines_tuning.arc_turn * (std::numbers::pi / 180.0)) * shorter * longer;
     };
@@ -433,9 +434,9 @@ LineSet make_lines(const Call& call, const Surface& surface, const Style& style,
     {
         Stage stage(call.report, HRBFNPR_STAGE_LINES);
         if (has_tangents)
-            tangents = as_lines_once(
-                HRBFNPR_LINE_KIND_TANGENT_EDGE, "",
-                mesh_tangents(call.context, *surface.shape, 0.0, stage.operation(), call.pool), call.pool);
+            tangents = as_lines_once(HRBFNPR_LINE_KIND_TANGENT_EDGE, "",
+                                     mesh_tangents(call.context, *surface.shape, 0.0, stage.operation(), call.pool),
+                                     call.pool);
         if (!tangents.points.empty()) list.push_back(tangents.view());
         made = create_with_edges(call, surface, is_sharp && has_faces, desc, list, stage);
         info = info_of(made);

@@ -58,8 +58,9 @@ struct LinesOnce {
 [[nodiscard]] Vector<Polyline> mesh_creases(hrbfnpr_context& context, const Shape& shape, double angle,
                                             hrbfnpr_operation* operation, Pool& pool);
 
-// Returns the tangent edges of a mesh, joined to polylines as those of mesh_creases(). Where a polyline bends evenly, it
-// gets more points, so that arcs are round. Sharp edges are found as `angle` says, or if it is 0 as in a fit of the mesh.
+// Returns the tangent edges of a mesh, joined to polylines as those of mesh_creases(). Where a polyline bends evenly,
+// it gets more points, so that arcs are round. Sharp edges are found as `angle` says, or if it is 0 as in a fit of the
+// mesh.
 [[nodiscard]] Vector<Polyline> mesh_tangents(hrbfnpr_context& context, const Shape& shape, double angle,
                                              hrbfnpr_operation* operation, Pool& pool);
 

@@ -276,9 +276,9 @@ struct GroupWidths {
 };
 
 constexpr std::array<const char*, 17> line_kind_groups{
-    "",        "contour", "suggestive", "ridge",  "valley", "apparent ridge", "parabolic", "isophote",
-    "section", "border",  "own",        "crease", "shadow", "terminator",     "soft edge",
-    "intersection", "tangent edge"};
+    "",          "contour",    "suggestive", "ridge",        "valley",      "apparent ridge",
+    "parabolic", "isophote",   "section",    "border",       "own",         "crease",
+    "shadow",    "terminator", "soft edge",  "intersection", "tangent edge"};
 static_assert(line_kind_groups.size() == HRBFNPR_LINE_KIND_TANGENT_EDGE + 1);
 
 String group_of_layer(const hrbfnpr_drawing_layer_info& layer, Pool& pool) {

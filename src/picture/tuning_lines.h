@@ -19,8 +19,8 @@ struct LinesTuning {
     // A drawing has a crease where faces meet at more than this angle, in degrees. Larger: fewer creases.
     double crease_angle = 30.0;
     // A piece of a tangent edge is a chord of an arc if the edge turns by less than `arc_turn` degrees at its ends, and
-    // the shorter of two pieces is longer than this share of the longer one. Larger turns: coarser circles become round,
-    // and so do the corners of blunt polygons. Larger share: fewer uneven arcs become round.
+    // the shorter of two pieces is longer than this share of the longer one. Larger turns: coarser circles become
+    // round, and so do the corners of blunt polygons. Larger share: fewer uneven arcs become round.
     double arc_turn = 31.0;
     double arc_pieces = 0.5;
     // Each round halves the chords. Larger: smoother arcs of more points.

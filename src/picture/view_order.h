@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draws coinciding lines of a view once. Visible edges have priority over tangent edges, these over hidden edges, and
-// hidden edges over smooth lines [ISO 128-2]. In views along planes of symmetry and along flat faces, nearly every line coincides with a line
-// farther away.
+// hidden edges over smooth lines [ISO 128-2]. In views along planes of symmetry and along flat faces, nearly every line
+// coincides with a line farther away.
 #pragma once
 
 #include "picture/shape.h"
@@ -10,8 +10,8 @@
 
 namespace hrbfnpr::picture {
 
-// The class of a line. Sharp edges and contours are drawn thick. The visible parts of tangent edges and smooth lines are
-// drawn thin, and their hidden parts are not drawn.
+// The class of a line. Sharp edges and contours are drawn thick. The visible parts of tangent edges and smooth lines
+// are drawn thin, and their hidden parts are not drawn.
 enum class ViewClass : std::uint8_t { edge, tangent, smooth };
 
 // A line on the paper, with at least two points.

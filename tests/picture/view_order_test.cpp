@@ -120,7 +120,8 @@ TEST_F(ViewOrderTest, VisibleTangentEdgesComeBeforeHiddenEdges) {
 }
 
 TEST_F(ViewOrderTest, ShortenedLinesTouchNothing) {
-    const Vector<PaperLine> lines({{{0, 0}, {10, 0}, {30, 0}}, {{0, 0}, {2, 0}}, {{0, 0}, {4, 0}, {0, 4}, {0, 0}}}, &pool);
+    const Vector<PaperLine> lines({{{0, 0}, {10, 0}, {30, 0}}, {{0, 0}, {2, 0}}, {{0, 0}, {4, 0}, {0, 4}, {0, 0}}},
+                                  &pool);
     const Vector<PaperLine> made = shortened(lines, 1.5, pool);
     ASSERT_EQ(made.size(), 3U);
     EXPECT_EQ(made[0], (PaperLine({{1.5, 0}, {10, 0}, {28.5, 0}}, &pool)));

@@ -39,11 +39,11 @@ inline Triangles rounded_box(double x, double y, double z, double radius, int pa
                     const double around = quarter * (side + static_cast<double>(i) / parts);
                     const double out = is_pole ? 0.0 : radius * std::cos(height);
                     const double sign_x = side == 0 || side == 3 ? 1.0 : -1.0, sign_y = side < 2 ? 1.0 : -1.0;
-                    rows.back().push_back(is_pole && i > 0 ? rows.back().back()
-                                                           : mesh.add(sign_x * (x - radius) + out * std::cos(around),
-                                                                      sign_y * (y - radius) + out * std::sin(around),
-                                                                      (above ? z - radius : radius - z) +
-                                                                          radius * std::sin(height)));
+                    rows.back().push_back(
+                        is_pole && i > 0 ? rows.back().back()
+                                         : mesh.add(sign_x * (x - radius) + out * std::cos(around),
+                                                    sign_y * (y - radius) + out * std::sin(around),
+                                                    (above ? z - radius : radius - z) + radius * std::sin(height)));
                 }
         }
     for (std::size_t j = 1; j < rows.size(); ++j) join_rows(mesh, rows[j - 1], rows[j], other_diagonal);

@@ -40,7 +40,8 @@ base::Array<std::int32_t> flat_polygons(const TangentTask& task) {
     const std::int64_t faces = task.sided.mesh.faces();
     UnionFind polygons(task.work.memory, faces);
     for_plain_edges(task.sided, task.work, [&](std::int64_t side, std::int64_t other) {
-        if (task.is_flat(side)) polygons.join(static_cast<std::int32_t>(side / 3), static_cast<std::int32_t>(other / 3));
+        if (task.is_flat(side))
+            polygons.join(static_cast<std::int32_t>(side / 3), static_cast<std::int32_t>(other / 3));
     });
     base::Array<std::int32_t> count(task.work.memory, faces);
     for (std::int32_t face = 0; face < faces; ++face) ++count[polygons.find(face)];
@@ -89,8 +90,9 @@ Beside look_beside(const TangentTask& task, std::int64_t side) noexcept {
 struct Candidate {
     std::int64_t side;
     double length;
-    double bend, expected; // the bend of the mesh, and that of a tangent edge between the surfaces beside it, in degrees
-    double width;          // the width of the faces on the side that bends more
+    double bend,
+        expected; // the bend of the mesh, and that of a tangent edge between the surfaces beside it, in degrees
+    double width; // the width of the faces on the side that bends more
 };
 
 // Returns whether an edge lies between a surface that is flat at right angles to it and one that bends.
@@ -137,7 +139,8 @@ base::Array<Candidate> find_candidates(const TangentTask& task) {
     return found;
 }
 
-// Joins candidates that continue each other to lines, and calls visit(line) for each with the indices of its candidates.
+// Joins candidates that continue each other to lines, and calls visit(line) for each with the indices of its
+// candidates.
 template <class Visit>
 void follow_chains(const TangentTask& task, const base::Array<Candidate>& candidates, Visit&& visit) {
     const HalfEdgeMesh& sided = task.sided;
@@ -214,7 +217,8 @@ base::Array<std::int64_t> find_tangent_edges(const base::Work& work, const Mesh&
         if (cut[side] == 1) sided.beyond[side] = -1;
     const TangentTask task{work, sided, tuned.rounding * mesh.bounds.diagonal()};
     const base::Array<Candidate> candidates = find_candidates(task);
-    base::Array<LineLengths> of_component(work.memory, 1 + *std::max_element(mesh.component.begin(), mesh.component.end()));
+    base::Array<LineLengths> of_component(work.memory,
+                                          1 + *std::max_element(mesh.component.begin(), mesh.component.end()));
     base::Array<std::int64_t> found(work.memory);
     follow_chains(task, candidates, [&](const base::Array<std::int64_t>& line) {
         const bool is_one = is_tangent_line(candidates, line);

@@ -12,7 +12,8 @@
 
 namespace hrbfnpr::mesh {
 
-// Returns both sides 3 face + k of each tangent edge, in ascending order. `cut` is Creases::cut: no surface continues across these sides.
+// Returns both sides 3 face + k of each tangent edge, in ascending order. `cut` is Creases::cut: no surface continues
+// across these sides.
 [[nodiscard]] base::Array<std::int64_t> find_tangent_edges(const base::Work& work, const Mesh& mesh,
                                                            const base::Array<std::uint8_t>& cut);
 

@@ -33,8 +33,8 @@ struct HasCreasesTuning {
 };
 inline constexpr HasCreasesTuning has_creases_tuning;
 
-// The constants of tangent edges. Set on brackets, rounded boxes, run-outs of cylinders and capsules of 3 to 40 faces in
-// a quarter circle, and on scans and subdivided meshes, which have none.
+// The constants of tangent edges. Set on brackets, rounded boxes, run-outs of cylinders and capsules of 3 to 40 faces
+// in a quarter circle, and on scans and subdivided meshes, which have none.
 struct TangentTuning {
     double degrees = 57.29577951308232; // degrees in a radian
     // Faces lie in one plane if they bend by less than this, in degrees, and what rounding may add. Larger: finer
