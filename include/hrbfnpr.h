@@ -1942,9 +1942,9 @@ typedef struct hrbfnpr_line_set_desc {
                                      chosen from them */
     hrbfnpr_array support_normals; /* normals of support_points, as many, of any length but 0; n x 3, FLOAT32 or
                                       FLOAT64; not given = normals of the surface there */
-    const hrbfnpr_mesh* mesh; /* the mesh that the model was fitted to; default NULL.  Its triangles find lines where walls
-                                 are thinner than cells.  The line set does not keep it.  Ignored with a cell_size, and
-                                 if it has edges that are not manifold or whose faces do not agree */
+    const hrbfnpr_mesh* mesh; /* the mesh that the model was fitted to; default NULL.  Its triangles find lines where
+                                 walls are thinner than cells.  The line set does not keep it.  Ignored with a
+                                 cell_size, and if it has edges that are not manifold or whose faces do not agree */
 } hrbfnpr_line_set_desc;
 
 /* Sets struct_size and all defaults. */
@@ -2271,9 +2271,10 @@ enum {
 };
 
 /* How the lines of one kind are drawn, for items that have a line set.  Lengths are in pixels unless a field says
- * otherwise.  Of two contours, borders, creases, intersections, ridges, valleys, suggestive contours or apparent ridges
- * of one ink that run side by side, nearer than a pen, only one keeps its width, and the other narrows and ends: the one
- * of the later kind in this list, or the thinner, or the shorter.  Items whose halo_width is 0 keep all their lines. */
+ * otherwise.  Of two contours, borders, creases, intersections, ridges, valleys, suggestive contours, apparent ridges
+ * or tangent edges of one ink that run side by side, nearer than a pen, only one keeps its width, and the other narrows
+ * and ends: the one of the later kind in this list, or the thinner, or the shorter.  Items whose halo_width is 0 keep
+ * all their lines. */
 typedef struct hrbfnpr_line_style {
     uint32_t struct_size;
     uint32_t kind;        /* kind of lines that this style is for, HRBFNPR_LINE_KIND_...; default CONTOUR */
@@ -3112,8 +3113,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_identify(const hrbfnpr_drawing* drawi
  */
 
 /* Which components of a mesh are kept.  Faces that share vertices belong to one component.
- * With ALL and SOLIDS, a closed component inside an odd number of closed ones is the wall of a cavity, and its faces are
- * turned into the cavity.  One inside an even number is a solid. */
+ * With ALL and SOLIDS, a closed component inside an odd number of closed ones is the wall of a cavity, and its faces
+ * are turned into the cavity.  One inside an even number is a solid. */
 enum {
     HRBFNPR_PARTS_OUTER = 0,   /* keeps all components except those inside a closed one, such as eyes in a head or
                                   inner shells */
