@@ -285,6 +285,10 @@ GROUPS = {
                "0.001 to 10 (default: 0.05)"),  # fmt: skip
         number("draw_speed", "page.draw_speed", "MM/S", "speed of the plotter's pen in mm/s, to estimate the time "
                "(default: 30)"),  # fmt: skip
+        choice("curves", "page.curves", "how curves of lines of one width are written: arcs (of circles, where lines consist "
+               "of them), splines, or straight lines (default: arcs)"),  # fmt: skip
+        number("longest_path", "page.longest", "MM", "length that a pen draws at most before it is raised, in mm, at "
+               "least 1; 0 is no limit (default: 0)"),  # fmt: skip
         Option("pen_up", "page.pen_up", "text", "GCODE", "G-code that raises the pen (default: G0 Z5)"),
         Option("pen_down", "page.pen_down", "text", "GCODE", "G-code that lowers the pen (default: G1 Z0)"),
     ],

@@ -3478,12 +3478,13 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, cons
 
 /*
  * ==========================================================================
- * 14  PAGE: drawings as vectors: SVG, PDF, HPGL, G-code
+ * 14  PAGE: drawings as vectors: SVG, PDF, HPGL, G-code, DXF
  * ==========================================================================
  *
  * A page holds drawings, each at its place and scale, and texts and lines beside them.  Its unit is the millimetre,
  * from the top-left corner, y down.  Strokes become cubic Bezier curves within a tolerance of the drawing's lines
- * [Schneider 1990].  For plotters they become straight lines within that tolerance.
+ * [Schneider 1990], or arcs of circles where they are such arcs.  For plotters they become arcs and straight lines
+ * within that tolerance.
  *
  * Ink is in named groups, the layers of a file.  The group of a layer of marks has that layer's name, such as
  * "stipples" or "hatch-2".  Groups of lines are called "contour", "suggestive", "ridge", "valley", "apparent ridge",
@@ -3505,7 +3506,11 @@ enum {
     HRBFNPR_PAGE_FORMAT_PDF = 1,  /* PDF 1.5, with groups as optional content, which viewers list as layers */
     HRBFNPR_PAGE_FORMAT_HPGL = 2, /* HPGL for plotters: absolute coordinates, 40 units per mm, y up from the lower left
                                      corner */
-    HRBFNPR_PAGE_FORMAT_GCODE = 3 /* G-code for plotters: G0 and G1 in mm, y up from the lower left corner */
+    HRBFNPR_PAGE_FORMAT_GCODE = 3, /* G-code for plotters: G0 to G3 in mm, y up from the lower left corner */
+    HRBFNPR_PAGE_FORMAT_DXF = 4   /* DXF of AutoCAD 2004 (AC1018) in mm, y up from the lower left corner, with groups as
+                                     layers.  There is no paper, and ink is cut off at the edges of drawings.  Strokes
+                                     of varying width become polylines with a width at each point, and their outlines
+                                     are not written.  Dots become circles or, as LINES, points */
 };
 
 /* How strokes are written whose width varies. */
@@ -3519,6 +3524,15 @@ enum {
     HRBFNPR_DOT_SHAPE_CIRCLES = 0, /* circles.  Plotters fill them, or with SINGLE_PASS draw their outline */
     HRBFNPR_DOT_SHAPE_LINES = 1,   /* lines of length 0 with round ends, at which a plotter touches the paper */
     HRBFNPR_DOT_SHAPE_SPIRALS = 2  /* spirals with which a pen fills the dot, if the dot is wider than the pen */
+};
+
+/* How the curves of lines of one width are written.  HPGL has straight lines only. */
+enum {
+    HRBFNPR_CURVES_ARCS = 0,    /* arcs of circles where lines consist of them: A in SVG, ARC, CIRCLE and bulges in DXF.
+                                   Other curves are as with SPLINES.  GCODE has arcs (G2, G3) and straight lines only,
+                                   and PDF has no arcs */
+    HRBFNPR_CURVES_SPLINES = 1, /* cubic Bezier curves: SPLINE in DXF, G5 in GCODE */
+    HRBFNPR_CURVES_LINES = 2    /* straight lines, for programs and machines that have neither arcs nor splines */
 };
 
 /* Options of a page. */
@@ -3612,7 +3626,7 @@ typedef struct hrbfnpr_page_desc {
     uint32_t flags;  /* HRBFNPR_PAGE_IN_PLOT_ORDER and others; default 0 */
     uint32_t widths; /* how strokes of varying width are written, HRBFNPR_WIDTHS_...; default OUTLINES */
     uint32_t dots;   /* how dots are written, HRBFNPR_DOT_SHAPE_...; default CIRCLES */
-    uint32_t reserved;
+    uint32_t curves; /* how the curves of lines of one width are written, HRBFNPR_CURVES_...; default ARCS */
     double width;              /* width of the page, in mm; 0 .. 1e6; default 0 = as far as the drawings reach */
     double height;             /* height of the page, in mm; 0 .. 1e6; default 0 = as far as the drawings reach */
     double tolerance;          /* greatest distance between drawn and written lines, in mm; 0.001 .. 10; default 0.05.
@@ -3644,6 +3658,8 @@ typedef struct hrbfnpr_page_desc {
     int64_t annotation_count;              /* number of `annotations`, 0 .. 10000000; default 0 */
     int64_t annotation_stride;             /* bytes from one element of `annotations` to the next; default 0 =
                                               struct_size */
+    double longest;            /* in plot order, length that the pen draws at most before it is raised, in mm; 1 .. 1e6,
+                                  or 0 = no limit; default 0.  A longer line is cut into equal parts */
 } hrbfnpr_page_desc;
 
 /* Sets struct_size and all defaults. */
@@ -3667,6 +3683,7 @@ typedef struct hrbfnpr_page_info {
     double travelled;       /* length that a pen travels above the paper, in mm; in plot order, else 0 */
     double seconds;         /* time that a plotter takes at the given speeds, in seconds; in plot order, else 0 */
     int64_t filled_paths;   /* lines wider than their pen, drawn in several passes */
+    int64_t cut_paths;      /* lines longer than `longest`, cut into parts */
 } hrbfnpr_page_info;
 
 /* Sets struct_size; all other fields are 0. */
@@ -3675,7 +3692,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint3
 /* Writes a page, one buffer at a time.  Memory grows with the drawing's largest stroke; in plot order it grows with the
  * largest group.  `info` and `operation` may be NULL.
  * Errors: INVALID_ARGUMENT (no drawing and no annotation; an empty page; a text that is not UTF-8; a drawing with
- * VISIBILITY_PUBLISHED, which has discs of paper, for plotters or in plot order), IO (`write` failed), OUT_OF_MEMORY,
+ * VISIBILITY_PUBLISHED, which has discs of paper, for plotters, in DXF or in plot order), IO (`write` failed), OUT_OF_MEMORY,
  * CANCELLED, CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_page_write(hrbfnpr_context* context, const hrbfnpr_page_desc* desc,
                                               hrbfnpr_write_fn write, void* user, hrbfnpr_page_info* info,

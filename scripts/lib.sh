@@ -22,7 +22,7 @@ package_set() {
     vtk) echo python3-vtk9 ;;
     guide) echo python3-sphinx python3-myst-parser furo ;;
     abi) echo tcc abigail-tools ;;
-    valid) echo libxml2-utils w3c-sgml-lib qpdf python3-jsonschema ;;
+    valid) echo libxml2-utils w3c-sgml-lib qpdf python3-ezdxf python3-jsonschema ;;
     dask) echo python3-distributed ;;
     csharp) echo mono-mcs mono-runtime ;;
     love) echo love luajit xvfb xauth ;;

@@ -518,9 +518,10 @@ hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* info, uint32_t 
 hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_fit_desc* desc,
     const hrbfnpr_fit_desc* fit, hrbfnpr_mesh_fit_info* info, hrbfnpr_operation* operation, hrbfnpr_model** out_model,
     hrbfnpr_error* error); enum { HRBFNPR_PAGE_FORMAT_SVG = 0, HRBFNPR_PAGE_FORMAT_PDF = 1,
-    HRBFNPR_PAGE_FORMAT_HPGL = 2, HRBFNPR_PAGE_FORMAT_GCODE = 3 };
+    HRBFNPR_PAGE_FORMAT_HPGL = 2, HRBFNPR_PAGE_FORMAT_GCODE = 3, HRBFNPR_PAGE_FORMAT_DXF = 4 };
 enum { HRBFNPR_WIDTHS_OUTLINES = 0, HRBFNPR_WIDTHS_CLASSES = 1 };
 enum { HRBFNPR_DOT_SHAPE_CIRCLES = 0, HRBFNPR_DOT_SHAPE_LINES = 1, HRBFNPR_DOT_SHAPE_SPIRALS = 2 };
+enum { HRBFNPR_CURVES_ARCS = 0, HRBFNPR_CURVES_SPLINES = 1, HRBFNPR_CURVES_LINES = 2 };
 enum { HRBFNPR_PAGE_IN_PLOT_ORDER = 1, HRBFNPR_PAGE_SINGLE_PASS = 4, HRBFNPR_PAGE_WITHOUT_PAPER = 2 };
 enum { HRBFNPR_LINE_TYPE_AS_DRAWN = 0, HRBFNPR_LINE_TYPE_CONTINUOUS = 1, HRBFNPR_LINE_TYPE_DASHED = 2,
     HRBFNPR_LINE_TYPE_DASHED_SPACED = 3, HRBFNPR_LINE_TYPE_LONG_DASHED_DOTTED = 4,
@@ -540,16 +541,17 @@ typedef struct hrbfnpr_annotation { uint32_t struct_size; uint32_t line_type; co
     hrbfnpr_array points; double width; float ink[4]; } hrbfnpr_annotation;
 hrbfnpr_status hrbfnpr_annotation_init(hrbfnpr_annotation* annotation, uint32_t struct_size);
 typedef struct hrbfnpr_page_desc { uint32_t struct_size; uint32_t format; uint32_t flags; uint32_t widths;
-    uint32_t dots; uint32_t reserved; double width; double height; double tolerance; double width_step; double join;
+    uint32_t dots; uint32_t curves; double width; double height; double tolerance; double width_step; double join;
     double shortest; double dot_distance; double draw_speed; double travel_speed; double pen_seconds;
     const char* pen_down; const char* pen_up; const char* title; const char* description; const char* metadata;
     const hrbfnpr_page_item* items; int64_t item_count; int64_t item_stride; const hrbfnpr_pen* pens; int64_t pen_count;
     int64_t pen_stride; const hrbfnpr_annotation* annotations; int64_t annotation_count; int64_t annotation_stride;
-    } hrbfnpr_page_desc; hrbfnpr_status hrbfnpr_page_desc_init(hrbfnpr_page_desc* desc, uint32_t struct_size);
-typedef struct hrbfnpr_page_info { uint32_t struct_size; uint32_t reserved; int64_t bytes; int64_t groups;
-    int64_t paths; int64_t segments; int64_t dots; int64_t joined; int64_t dropped_paths; int64_t dropped_dots;
-    double width; double height; double drawn; double travelled; double seconds; int64_t filled_paths;
-    } hrbfnpr_page_info; hrbfnpr_status hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint32_t struct_size);
+    double longest; } hrbfnpr_page_desc;
+hrbfnpr_status hrbfnpr_page_desc_init(hrbfnpr_page_desc* desc, uint32_t struct_size); typedef struct hrbfnpr_page_info {
+    uint32_t struct_size; uint32_t reserved; int64_t bytes; int64_t groups; int64_t paths; int64_t segments;
+    int64_t dots; int64_t joined; int64_t dropped_paths; int64_t dropped_dots; double width; double height;
+    double drawn; double travelled; double seconds; int64_t filled_paths; int64_t cut_paths; } hrbfnpr_page_info;
+hrbfnpr_status hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_page_write(hrbfnpr_context* context, const hrbfnpr_page_desc* desc, hrbfnpr_write_fn write,
     void* user, hrbfnpr_page_info* info, hrbfnpr_operation* operation, hrbfnpr_error* error);
 typedef struct hrbfnpr_picture hrbfnpr_picture; typedef struct hrbfnpr_settings hrbfnpr_settings;

@@ -14,8 +14,9 @@ bool ends_with(const std::string& path, const std::string& ending) {
 }
 
 int page_format(const std::string& path) {
-    static const char* const endings[] = {".svg", ".pdf", ".hpgl", ".gcode"}; // in the order of HRBFNPR_PAGE_FORMAT_*
-    for (int format = 0; format < 4; ++format)
+    static const char* const endings[] = {".svg", ".pdf", ".hpgl", ".gcode",
+                                          ".dxf"}; // in the order of HRBFNPR_PAGE_FORMAT_*
+    for (int format = 0; format < 5; ++format)
         if (ends_with(path, endings[format])) return format;
     return -1;
 }
@@ -103,8 +104,8 @@ void check_ending(const std::string& path) {
     for (const char* const ending : {".png", ".hrbf", ".hrbm", ".json"})
         if (ends_with(path, ending)) return;
     if (page_format(path) >= 0) return;
-    throw Failure(path + ": the name must end in .png, .svg, .pdf, .hpgl or .gcode for a picture, .hrbf for the model, "
-                         ".hrbm for the marks, or .json for settings");
+    throw Failure(path + ": the name must end in .png, .svg, .pdf, .hpgl, .gcode or .dxf for a picture, .hrbf for the "
+                         "model, .hrbm for the marks, or .json for settings");
 }
 
 void write_export(const Export& what, const std::string& path, Work& work) {

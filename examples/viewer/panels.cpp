@@ -84,7 +84,7 @@ void export_panel(App& app, Ui& ui) {
     ImGui::SameLine();
     if (ImGui::Button("Write")) app.save(ui.target);
     ImGui::TextWrapped(
-        "The ending says what is written. Picture: .png .svg .pdf .hpgl .gcode; model: .hrbf; marks: .hrbm");
+        "The ending says what is written. Picture: .png .svg .pdf .hpgl .gcode .dxf; model: .hrbf; marks: .hrbm");
     if (ImGui::DragInt2("size", ui.export_size, 2, 0, 8192)) {
         const bool given = ui.export_size[0] > 0 && ui.export_size[1] > 0;
         app.choices.size = given ? Size{ui.export_size[0], ui.export_size[1]} : Size{};

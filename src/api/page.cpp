@@ -18,6 +18,10 @@ static_assert(static_cast<int>(output::PageFormat::svg) == HRBFNPR_PAGE_FORMAT_S
 static_assert(static_cast<int>(output::PageFormat::pdf) == HRBFNPR_PAGE_FORMAT_PDF);
 static_assert(static_cast<int>(output::PageFormat::hpgl) == HRBFNPR_PAGE_FORMAT_HPGL);
 static_assert(static_cast<int>(output::PageFormat::gcode) == HRBFNPR_PAGE_FORMAT_GCODE);
+static_assert(static_cast<int>(output::PageFormat::dxf) == HRBFNPR_PAGE_FORMAT_DXF);
+static_assert(static_cast<int>(output::Curves::arcs) == HRBFNPR_CURVES_ARCS);
+static_assert(static_cast<int>(output::Curves::splines) == HRBFNPR_CURVES_SPLINES);
+static_assert(static_cast<int>(output::Curves::lines) == HRBFNPR_CURVES_LINES);
 static_assert(static_cast<int>(output::Widths::outlines) == HRBFNPR_WIDTHS_OUTLINES);
 static_assert(static_cast<int>(output::Widths::classes) == HRBFNPR_WIDTHS_CLASSES);
 static_assert(static_cast<int>(output::DotShapes::circles) == HRBFNPR_DOT_SHAPE_CIRCLES);
@@ -38,6 +42,7 @@ constexpr std::int64_t most_items = 4096;
 constexpr std::int64_t most_pens = 4096;
 constexpr std::int64_t most_annotations = 10000000;
 constexpr double farthest_place = 1e6; // The largest coordinate, in mm.
+constexpr double least_longest = 1.0;  // In mm; shorter parts would fill memory.
 constexpr std::int64_t annotations_per_check = 1024;
 constexpr std::uint32_t known_flags =
     HRBFNPR_PAGE_IN_PLOT_ORDER | HRBFNPR_PAGE_SINGLE_PASS | HRBFNPR_PAGE_WITHOUT_PAPER;
@@ -45,36 +50,36 @@ constexpr std::uint32_t last_line_type = HRBFNPR_LINE_TYPE_DOUBLE_DASHED_TRIPLE_
 
 constexpr auto page_fields() noexcept {
     using rule::Between;
-    return FieldTable{
-        field("format", &PageDesc::format, rule::OneOf{HRBFNPR_PAGE_FORMAT_GCODE, "HRBFNPR_PAGE_FORMAT_*"}),
-        field("flags", &PageDesc::flags, rule::Flags{known_flags}),
-        field("widths", &PageDesc::widths, rule::OneOf{HRBFNPR_WIDTHS_CLASSES, "HRBFNPR_WIDTHS_*"}),
-        field("dots", &PageDesc::dots, rule::OneOf{HRBFNPR_DOT_SHAPE_SPIRALS, "HRBFNPR_DOT_SHAPE_*"}),
-        reserved("reserved", &PageDesc::reserved),
-        field("width", &PageDesc::width, &PageSettings::width, Between{0.0, farthest_place}),
-        field("height", &PageDesc::height, &PageSettings::height, Between{0.0, farthest_place}),
-        field("tolerance", &PageDesc::tolerance, Between{0.001, 10.0}),
-        field("width_step", &PageDesc::width_step, Between{1.01, 4.0}),
-        field("join", &PageDesc::join, Between{0.0, farthest_place}),
-        field("shortest", &PageDesc::shortest, Between{0.0, farthest_place}),
-        field("dot_distance", &PageDesc::dot_distance, Between{0.0, farthest_place}),
-        field("draw_speed", &PageDesc::draw_speed, rule::PositiveUpTo{farthest_place}),
-        field("travel_speed", &PageDesc::travel_speed, rule::PositiveUpTo{farthest_place}),
-        field("pen_seconds", &PageDesc::pen_seconds, Between{0.0, 3600.0}),
-        field("pen_down", &PageDesc::pen_down, rule::Any{}),
-        field("pen_up", &PageDesc::pen_up, rule::Any{}),
-        field("title", &PageDesc::title, rule::Any{}),
-        field("description", &PageDesc::description, rule::Any{}),
-        field("metadata", &PageDesc::metadata, rule::Any{}),
-        field("items", &PageDesc::items, rule::Any{}),
-        field("item_count", &PageDesc::item_count, rule::Any{}),
-        field("item_stride", &PageDesc::item_stride, rule::Any{}),
-        field("pens", &PageDesc::pens, rule::Any{}),
-        field("pen_count", &PageDesc::pen_count, rule::Any{}),
-        field("pen_stride", &PageDesc::pen_stride, rule::Any{}),
-        field("annotations", &PageDesc::annotations, rule::Any{}),
-        field("annotation_count", &PageDesc::annotation_count, rule::Any{}),
-        field("annotation_stride", &PageDesc::annotation_stride, rule::Any{})};
+    return FieldTable{field("format", &PageDesc::format, rule::OneOf{HRBFNPR_PAGE_FORMAT_DXF, "HRBFNPR_PAGE_FORMAT_*"}),
+                      field("flags", &PageDesc::flags, rule::Flags{known_flags}),
+                      field("widths", &PageDesc::widths, rule::OneOf{HRBFNPR_WIDTHS_CLASSES, "HRBFNPR_WIDTHS_*"}),
+                      field("dots", &PageDesc::dots, rule::OneOf{HRBFNPR_DOT_SHAPE_SPIRALS, "HRBFNPR_DOT_SHAPE_*"}),
+                      field("curves", &PageDesc::curves, rule::OneOf{HRBFNPR_CURVES_LINES, "HRBFNPR_CURVES_*"}),
+                      field("width", &PageDesc::width, &PageSettings::width, Between{0.0, farthest_place}),
+                      field("height", &PageDesc::height, &PageSettings::height, Between{0.0, farthest_place}),
+                      field("tolerance", &PageDesc::tolerance, Between{0.001, 10.0}),
+                      field("width_step", &PageDesc::width_step, Between{1.01, 4.0}),
+                      field("join", &PageDesc::join, Between{0.0, farthest_place}),
+                      field("shortest", &PageDesc::shortest, Between{0.0, farthest_place}),
+                      field("dot_distance", &PageDesc::dot_distance, Between{0.0, farthest_place}),
+                      field("draw_speed", &PageDesc::draw_speed, rule::PositiveUpTo{farthest_place}),
+                      field("travel_speed", &PageDesc::travel_speed, rule::PositiveUpTo{farthest_place}),
+                      field("pen_seconds", &PageDesc::pen_seconds, Between{0.0, 3600.0}),
+                      field("pen_down", &PageDesc::pen_down, rule::Any{}),
+                      field("pen_up", &PageDesc::pen_up, rule::Any{}),
+                      field("title", &PageDesc::title, rule::Any{}),
+                      field("description", &PageDesc::description, rule::Any{}),
+                      field("metadata", &PageDesc::metadata, rule::Any{}),
+                      field("items", &PageDesc::items, rule::Any{}),
+                      field("item_count", &PageDesc::item_count, rule::Any{}),
+                      field("item_stride", &PageDesc::item_stride, rule::Any{}),
+                      field("pens", &PageDesc::pens, rule::Any{}),
+                      field("pen_count", &PageDesc::pen_count, rule::Any{}),
+                      field("pen_stride", &PageDesc::pen_stride, rule::Any{}),
+                      field("annotations", &PageDesc::annotations, rule::Any{}),
+                      field("annotation_count", &PageDesc::annotation_count, rule::Any{}),
+                      field("annotation_stride", &PageDesc::annotation_stride, rule::Any{}),
+                      field("longest", &PageDesc::longest, Between{0.0, farthest_place})};
 }
 static_assert(page_fields().covers<PageDesc>());
 
@@ -168,9 +173,7 @@ const char* checked_text(const char* text, const char* owner, const char* name) 
 
 std::string_view text_or_empty(const char* text) noexcept { return text != nullptr ? text : std::string_view{}; }
 
-bool in_plot_order(const PageSettings& settings) noexcept {
-    return settings.in_plot_order || settings.format >= output::PageFormat::hpgl;
-}
+bool in_plot_order(const PageSettings& settings) noexcept { return settings.in_plot_order || settings.for_plotter(); }
 
 PageSettings settings_of(const PageDesc& desc) noexcept {
     PageSettings settings;
@@ -178,12 +181,19 @@ PageSettings settings_of(const PageDesc& desc) noexcept {
     settings.format = static_cast<output::PageFormat>(desc.format);
     settings.without_paper = (desc.flags & HRBFNPR_PAGE_WITHOUT_PAPER) != 0;
     settings.in_plot_order = (desc.flags & HRBFNPR_PAGE_IN_PLOT_ORDER) != 0;
-    settings.shapes = {static_cast<output::Widths>(desc.widths), static_cast<output::DotShapes>(desc.dots),
-                       desc.tolerance, desc.width_step,
+    settings.shapes = {static_cast<output::Widths>(desc.widths),
+                       static_cast<output::DotShapes>(desc.dots),
+                       static_cast<output::Curves>(desc.curves),
+                       desc.tolerance,
+                       desc.width_step,
                        in_plot_order(settings) && (desc.flags & HRBFNPR_PAGE_SINGLE_PASS) == 0};
-    settings.plot = {desc.join,         desc.shortest,
-                     desc.dot_distance, {desc.draw_speed, desc.travel_speed, desc.pen_seconds},
-                     desc.pen_down,     desc.pen_up};
+    settings.plot = {desc.join,
+                     desc.shortest,
+                     desc.dot_distance,
+                     desc.longest,
+                     {desc.draw_speed, desc.travel_speed, desc.pen_seconds},
+                     desc.pen_down,
+                     desc.pen_up};
     return settings;
 }
 
@@ -302,12 +312,16 @@ hrbfnpr_page_info describe(const output::PageCounts& counts, const glm::dvec2& s
     info.travelled = counts.travelled;
     info.seconds = counts.seconds;
     info.filled_paths = counts.filled_paths;
+    info.cut_paths = counts.cut_paths;
     return info;
 }
 
 hrbfnpr_page_info write(const base::Runtime& runtime, const PageDesc& desc, io::Writer& writer,
                         hrbfnpr_operation* operation) {
     page_fields().check("page_desc", desc);
+    if (desc.longest > 0.0 && desc.longest < least_longest)
+        fail(Status::invalid_argument, "page_desc.longest is %g; it must be 0 for no limit, or %g to %g", desc.longest,
+             least_longest, farthest_place);
     const OperationUse use(operation);
     const PageReader reader(runtime.memory, desc, use.progress());
     const PageSettings settings = settings_of(desc);
@@ -317,9 +331,11 @@ hrbfnpr_page_info write(const base::Runtime& runtime, const PageDesc& desc, io::
              "the page is %g by %g mm; set page_desc.width and height to sizes above 0 and up to %g, or place drawings "
              "on the page",
              size.x, size.y, farthest_place);
-    if (in_plot_order(settings) && reader.has_discs_of_paper())
-        fail(Status::invalid_argument, "a drawing with PUBLISHED visibility covers ink with discs of paper, which "
-                                       "cannot be plotted or sorted; draw it with DEPTH_LAYERS");
+    const bool is_dxf = settings.format == output::PageFormat::dxf;
+    if ((in_plot_order(settings) || is_dxf) && reader.has_discs_of_paper())
+        fail(Status::invalid_argument,
+             "a drawing with PUBLISHED visibility covers ink with discs of paper, which %s; draw it with DEPTH_LAYERS",
+             is_dxf ? "DXF does not have" : "cannot be plotted or sorted");
     const output::PageCounts counts = output::write_page({runtime, use.progress()}, reader.page(), settings, writer);
     use.finish();
     return describe(counts, size);

@@ -460,7 +460,7 @@ inline constexpr FieldLayout fields_of_hrbfnpr_annotation[] = {
 #define RECORD hrbfnpr_page_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_page_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(format, "uint32_t"), FIELD(flags, "uint32_t"), FIELD(widths, "uint32_t"),
-    FIELD(dots, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(width, "double"), FIELD(height, "double"),
+    FIELD(dots, "uint32_t"), FIELD(curves, "uint32_t"), FIELD(width, "double"), FIELD(height, "double"),
     FIELD(tolerance, "double"), FIELD(width_step, "double"), FIELD(join, "double"), FIELD(shortest, "double"),
     FIELD(dot_distance, "double"), FIELD(draw_speed, "double"), FIELD(travel_speed, "double"),
     FIELD(pen_seconds, "double"), FIELD(pen_down, "const char*"), FIELD(pen_up, "const char*"),
@@ -468,14 +468,15 @@ inline constexpr FieldLayout fields_of_hrbfnpr_page_desc[] = {
     FIELD(items, "const hrbfnpr_page_item*"), FIELD(item_count, "int64_t"), FIELD(item_stride, "int64_t"),
     FIELD(pens, "const hrbfnpr_pen*"), FIELD(pen_count, "int64_t"), FIELD(pen_stride, "int64_t"),
     FIELD(annotations, "const hrbfnpr_annotation*"), FIELD(annotation_count, "int64_t"),
-    FIELD(annotation_stride, "int64_t")};
+    FIELD(annotation_stride, "int64_t"), FIELD(longest, "double")};
 #undef RECORD
 #define RECORD hrbfnpr_page_info
 inline constexpr FieldLayout fields_of_hrbfnpr_page_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(bytes, "int64_t"), FIELD(groups, "int64_t"),
     FIELD(paths, "int64_t"), FIELD(segments, "int64_t"), FIELD(dots, "int64_t"), FIELD(joined, "int64_t"),
     FIELD(dropped_paths, "int64_t"), FIELD(dropped_dots, "int64_t"), FIELD(width, "double"), FIELD(height, "double"),
-    FIELD(drawn, "double"), FIELD(travelled, "double"), FIELD(seconds, "double"), FIELD(filled_paths, "int64_t")};
+    FIELD(drawn, "double"), FIELD(travelled, "double"), FIELD(seconds, "double"), FIELD(filled_paths, "int64_t"),
+    FIELD(cut_paths, "int64_t")};
 #undef RECORD
 #define RECORD hrbfnpr_source_field
 inline constexpr FieldLayout fields_of_hrbfnpr_source_field[] = {

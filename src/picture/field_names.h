@@ -27,9 +27,10 @@ inline constexpr NamedConstant named_constants[] = {
     {"published", 1}, {"full", 0}, {"in_turn", 1}, {"auto", 0}, {"samples", 1}, {"box", 2}, {"points", 3},
     {"stipples", 1}, {"hatch", 2}, {"curvature", 1}, {"uniform", 0}, {"curvature", 1}, {"curvature", 0}, {"combing", 1},
     {"sections", 2}, {"light", 3}, {"silhouette", 4}, {"seeds", 0}, {"stipples", 1}, {"ridge", 3}, {"valley", 4},
-    {"parabolic", 6}, {"section", 8}, {"soft_edge", 14}, {"svg", 0}, {"pdf", 1}, {"hpgl", 2}, {"gcode", 3},
+    {"parabolic", 6}, {"section", 8}, {"soft_edge", 14}, {"svg", 0}, {"pdf", 1}, {"hpgl", 2}, {"gcode", 3}, {"dxf", 4},
     {"in_plot_order", 1}, {"single_pass", 4}, {"without_paper", 2}, {"outlines", 0}, {"classes", 1}, {"circles", 0},
-    {"lines", 1}, {"spirals", 2}, {"with_lines", 1}, {"directional", 0}, {"place", 1}};
+    {"lines", 1}, {"spirals", 2}, {"arcs", 0}, {"splines", 1}, {"lines", 2}, {"with_lines", 1}, {"directional", 0},
+    {"place", 1}};
 
 #define RECORD hrbfnpr_style
 inline constexpr NamedField names_of_hrbfnpr_style[] = {
@@ -141,25 +142,26 @@ inline constexpr NamedField names_of_hrbfnpr_line_desc[] = {
 #undef RECORD
 #define RECORD hrbfnpr_page_desc
 inline constexpr NamedField names_of_hrbfnpr_page_desc[] = {
-    FIELD(format, uint32, choice, 1, 102, 4), FIELD(flags, uint32, bits, 1, 106, 3),
-    FIELD(widths, uint32, choice, 1, 109, 2), FIELD(dots, uint32, choice, 1, 111, 3),
-    FIELD(width, float64, number, 1, 0, 0), FIELD(height, float64, number, 1, 0, 0),
-    FIELD(tolerance, float64, number, 1, 0, 0), FIELD(width_step, float64, number, 1, 0, 0),
-    FIELD(join, float64, number, 1, 0, 0), FIELD(shortest, float64, number, 1, 0, 0),
-    FIELD(dot_distance, float64, number, 1, 0, 0), FIELD(draw_speed, float64, number, 1, 0, 0),
-    FIELD(travel_speed, float64, number, 1, 0, 0), FIELD(pen_seconds, float64, number, 1, 0, 0),
-    FIELD(pen_down, text, text, 1, 0, 0), FIELD(pen_up, text, text, 1, 0, 0), FIELD(title, text, text, 1, 0, 0),
-    FIELD(description, text, text, 1, 0, 0), FIELD(metadata, text, text, 1, 0, 0)};
+    FIELD(format, uint32, choice, 1, 102, 5), FIELD(flags, uint32, bits, 1, 107, 3),
+    FIELD(widths, uint32, choice, 1, 110, 2), FIELD(dots, uint32, choice, 1, 112, 3),
+    FIELD(curves, uint32, choice, 1, 115, 3), FIELD(width, float64, number, 1, 0, 0),
+    FIELD(height, float64, number, 1, 0, 0), FIELD(tolerance, float64, number, 1, 0, 0),
+    FIELD(width_step, float64, number, 1, 0, 0), FIELD(join, float64, number, 1, 0, 0),
+    FIELD(shortest, float64, number, 1, 0, 0), FIELD(dot_distance, float64, number, 1, 0, 0),
+    FIELD(draw_speed, float64, number, 1, 0, 0), FIELD(travel_speed, float64, number, 1, 0, 0),
+    FIELD(pen_seconds, float64, number, 1, 0, 0), FIELD(pen_down, text, text, 1, 0, 0),
+    FIELD(pen_up, text, text, 1, 0, 0), FIELD(title, text, text, 1, 0, 0), FIELD(description, text, text, 1, 0, 0),
+    FIELD(metadata, text, text, 1, 0, 0), FIELD(longest, float64, number, 1, 0, 0)};
 #undef RECORD
 #define RECORD hrbfnpr_shading_desc
 inline constexpr NamedField names_of_hrbfnpr_shading_desc[] = {
     FIELD(sky_rays, int32, number, 1, 0, 0), FIELD(shadow_rays, int32, number, 1, 0, 0),
-    FIELD(flags, uint32, bits, 1, 114, 1), FIELD(occlusion_reach, float64, number, 1, 0, 0),
+    FIELD(flags, uint32, bits, 1, 118, 1), FIELD(occlusion_reach, float64, number, 1, 0, 0),
     FIELD(curvature_scale, float64, number, 1, 0, 0)};
 #undef RECORD
 #define RECORD hrbfnpr_light
 inline constexpr NamedField names_of_hrbfnpr_light[] = {
-    FIELD(kind, uint32, choice, 1, 115, 2), FIELD(space, uint32, choice, 1, 6, 3),
+    FIELD(kind, uint32, choice, 1, 119, 2), FIELD(space, uint32, choice, 1, 6, 3),
     FIELD(intensity, float32, number, 1, 0, 0), FIELD(shadow, float32, number, 1, 0, 0),
     FIELD(softness, float32, number, 1, 0, 0), FIELD(place, float64, direction, 3, 0, 0)};
 #undef RECORD

@@ -255,7 +255,7 @@ Outcome Scene::fit_mesh() {
 Outcome Scene::write_page() {
     Outcome result;
     const std::uint32_t given = page_desc_.format;
-    for (std::uint32_t format = HRBFNPR_PAGE_FORMAT_SVG; format <= HRBFNPR_PAGE_FORMAT_GCODE; ++format) {
+    for (std::uint32_t format = HRBFNPR_PAGE_FORMAT_SVG; format <= HRBFNPR_PAGE_FORMAT_DXF; ++format) {
         if (given == HRBFNPR_PAGE_FORMAT_SVG) page_desc_.format = format;
         std::uint64_t bytes = 0;
         auto info = made(hrbfnpr_page_info_init);

@@ -73,11 +73,14 @@ struct Page {
         points.emplace(std::span(places), 2, input);
         for (std::size_t count = input.once_in(2) ? input.below(5) : 0; count > 0; --count) add_annotation(input);
         hrbfnpr_page_desc_init(&desc, sizeof desc);
-        desc.format = static_cast<std::uint32_t>(input.below(4));
+        desc.format = static_cast<std::uint32_t>(input.below(5));
         desc.flags = static_cast<std::uint32_t>(input.below(8));
         // Plotters do not support outlines.
-        desc.widths = static_cast<std::uint32_t>(desc.format >= HRBFNPR_PAGE_FORMAT_HPGL ? 1 : input.below(2));
+        const bool is_plotted = desc.format == HRBFNPR_PAGE_FORMAT_HPGL || desc.format == HRBFNPR_PAGE_FORMAT_GCODE;
+        desc.widths = static_cast<std::uint32_t>(is_plotted ? 1 : input.below(2));
         desc.dots = static_cast<std::uint32_t>(input.below(3));
+        desc.curves = static_cast<std::uint32_t>(input.below(3));
+        desc.longest = input.once_in(4) ? input.between(1.0, 40.0) : 0.0;
         desc.items = items.data();
         desc.item_count = static_cast<std::int64_t>(items.size());
         desc.item_stride = sizeof(hrbfnpr_page_item);

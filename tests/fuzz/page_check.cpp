@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Readers of the four page formats. Each reads just enough to show that a page has the format.
+// Readers of the five page formats. Each reads just enough to show that a page has the format.
 #include "drawings.h"
 
 #include <algorithm>
@@ -199,7 +199,7 @@ void require_gcode_line(std::string_view line) {
             require(text.until(")", "a comment ends").find('(') == std::string_view::npos, "comments do not nest");
             continue;
         }
-        require(text.while_in("GMXYZFS").size() == 1 && text.number(), "a word is a letter and a number");
+        require(text.while_in("GMXYZFSIJPQ").size() == 1 && text.number(), "a word is a letter and a number");
     }
 }
 
@@ -207,6 +207,38 @@ void require_gcode(std::string_view page, const hrbfnpr_page_desc& desc) {
     if (desc.pen_up != nullptr || desc.pen_down != nullptr) return; // the lines are the caller's
     Text text(page);
     while (!text.is_empty()) require_gcode_line(text.until("\n", "a line ends"));
+}
+
+// A file consists of pairs of lines: a code and a value. Its sections end, and it ends with EOF.
+void require_dxf(std::string_view page) {
+    Text text(page);
+    bool in_section = false, ended = false;
+    while (!text.is_empty()) {
+        require(!ended, "nothing follows EOF");
+        const std::string code(text.until("\n", "a code ends"));
+        require(!code.empty() && code.size() < 5 && code.find_first_not_of("0123456789") == std::string::npos,
+                "a code is a small number");
+        const std::string_view value = text.until("\n", "a value ends");
+        for (const char c : value) require(c >= ' ' && c < 0x7F, "values are ASCII");
+        const int number = std::stoi(code);
+        if (number >= 10 && number < 60) {
+            Text digits(value);
+            require(digits.number() && digits.is_empty(), "places and lengths are numbers");
+        }
+        if (number != 0) continue;
+        if (value == "SECTION") {
+            require(!in_section, "sections do not nest");
+            in_section = true;
+        } else if (value == "ENDSEC") {
+            require(in_section, "a section begins before it ends");
+            in_section = false;
+        } else if (value == "EOF") {
+            ended = true;
+        } else {
+            require(in_section, "entities are in sections");
+        }
+    }
+    require(ended && !in_section, "DXF has an end");
 }
 
 } // namespace
@@ -217,6 +249,7 @@ void require_sound_page(std::string_view page, const hrbfnpr_page_desc& desc) {
     case HRBFNPR_PAGE_FORMAT_PDF: require_pdf(page); break;
     case HRBFNPR_PAGE_FORMAT_HPGL: require_hpgl(page); break;
     case HRBFNPR_PAGE_FORMAT_GCODE: require_gcode(page, desc); break;
+    case HRBFNPR_PAGE_FORMAT_DXF: require_dxf(page); break;
     default: require(false, "a page of no known format is not written");
     }
 }

@@ -236,12 +236,18 @@ def hpgl_lines(text):
 
 
 def gcode_lines(text):
-    """Pen lines of a G-code file in mm. G0 and G1 keep the axes that they do not name. The pen is down at Z <= 0."""
+    """Pen lines of a G-code file in mm. Moves keep the axes that they do not name. The pen is down at Z <= 0.  G2 and G3 are
+    arcs, clockwise and counterclockwise, around a centre that is given relative to their beginnings."""
     at, line, lines = {"X": 0.0, "Y": 0.0, "Z": 1.0}, [], []
     for row in re.sub(r"\([^)]*\)|;.*", "", text).splitlines():
         words = dict(re.findall(r"([A-Z])(-?[\d.]+)", row))
-        if "G" not in words or float(words["G"]) not in (0, 1):
+        if "G" not in words or float(words["G"]) not in (0, 1, 2, 3):
             continue
+        if "I" in words:
+            begin, centre = complex(at["X"], at["Y"]), complex(at["X"] + float(words["I"]), at["Y"] + float(words["J"]))
+            turn = np.angle((complex(float(words["X"]), float(words["Y"])) - centre) / (begin - centre)) % (2 * np.pi)
+            turn -= 2 * np.pi * (words["G"] == "2")
+            line += [(p.real, p.imag) for p in centre + (begin - centre) * np.exp(1j * turn * np.linspace(0, 1, 32)[1:-1])]
         at.update({axis: float(words[axis]) for axis in "XYZ" if axis in words})
         if at["Z"] > 0 and len(line) > 1:
             lines.append(line)

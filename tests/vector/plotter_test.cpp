@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 #include <type_traits>
 
@@ -29,20 +30,64 @@ struct Plotted {
     bool down = false;
     int pen = 0;
     std::string rest; // all commands but pen moves
+    int arcs = 0, splines = 0;
+    std::int64_t between = 0;        // the number of points on arcs and splines between their ends
+    double longest = 0.0, since = 0; // the largest length drawn between two lifts, and the length since the last one
 
     void raise() { down = false; }
     void lower() {
         if (down) return;
         down = true;
+        since = 0.0;
         ++lifts;
         lines.push_back({{x, y, 0.0}});
         pens.push_back(pen);
     }
-    void move(double to_x, double to_y) {
-        (down ? drawn : travelled) += std::hypot(to_x - x, to_y - y);
+    void move(double to_x, double to_y) { move(to_x, to_y, std::hypot(to_x - x, to_y - y)); }
+    void move(double to_x, double to_y, double length) {
+        (down ? drawn : travelled) += length;
+        if (down) longest = std::max(longest, since += length);
         x = to_x;
         y = to_y;
         if (down) lines.back().push_back({x, y, 0.0});
+    }
+    void pass(double at_x, double at_y) {
+        ++between;
+        lines.back().push_back({at_x, at_y, 0.0});
+    }
+    // Draws an arc around the centre (x + i, y + j).
+    void arc(double to_x, double to_y, double i, double j, bool clockwise) {
+        EXPECT_TRUE(down);
+        ++arcs;
+        const double centre_x = x + i, centre_y = y + j, radius = std::hypot(i, j);
+        // Controllers refuse arcs whose ends have different distances from the centre.
+        EXPECT_NEAR(std::hypot(to_x - centre_x, to_y - centre_y), radius, 0.003);
+        const double from = std::atan2(-j, -i);
+        double sweep = std::atan2(to_y - centre_y, to_x - centre_x) - from;
+        if (clockwise && sweep >= 0.0) sweep -= 2.0 * std::numbers::pi;
+        if (!clockwise && sweep <= 0.0) sweep += 2.0 * std::numbers::pi;
+        EXPECT_LE(std::abs(sweep), 3.15);
+        for (int k = 1; k < 32; ++k)
+            pass(centre_x + radius * std::cos(from + sweep * k / 32),
+                 centre_y + radius * std::sin(from + sweep * k / 32));
+        move(to_x, to_y, radius * std::abs(sweep));
+    }
+    // Draws a cubic with the handles (x + i, y + j) and (to_x + p, to_y + q).
+    void spline(double to_x, double to_y, double i, double j, double p, double q) {
+        EXPECT_TRUE(down);
+        ++splines;
+        const double from_x = x, from_y = y;
+        double length = 0.0, last_x = x, last_y = y;
+        for (int k = 1; k <= 16; ++k) {
+            const double t = k / 16.0, s = 1.0 - t;
+            const auto at = [&](double a, double b, double c, double d) {
+                return s * s * s * a + 3.0 * s * s * t * b + 3.0 * s * t * t * c + t * t * t * d;
+            };
+            const double at_x = at(from_x, from_x + i, to_x + p, to_x), at_y = at(from_y, from_y + j, to_y + q, to_y);
+            length += std::hypot(at_x - last_x, at_y - last_y);
+            if (k < 16) pass(last_x = at_x, last_y = at_y);
+        }
+        move(to_x, to_y, length);
     }
 };
 
@@ -82,11 +127,20 @@ Plotted read_gcode(const std::string& text) {
     std::istringstream stream(text);
     double feed = 0.0;
     for (std::string line; std::getline(stream, line);) {
-        double x = 0.0, y = 0.0;
+        double x = 0.0, y = 0.0, i = 0.0, j = 0.0, p = 0.0, q = 0.0;
         char command[3] = "";
         if (const std::size_t f = line.find(" F"); f != std::string::npos && line[0] == 'G')
             feed = std::stod(line.substr(f + 2));
-        if (std::sscanf(line.c_str(), "%2s X%lf Y%lf", command, &x, &y) == 3) {
+        const int words =
+            std::sscanf(line.c_str(), "%2s X%lf Y%lf I%lf J%lf P%lf Q%lf", command, &x, &y, &i, &j, &p, &q);
+        if (words == 5) {
+            EXPECT_TRUE(std::string(command) == "G2" || std::string(command) == "G3") << line;
+            EXPECT_EQ(feed, 1800.0);
+            plotted.arc(x, y, i, j, command[1] == '2');
+        } else if (words == 7) {
+            EXPECT_EQ(std::string(command), "G5") << line;
+            plotted.spline(x, y, i, j, p, q);
+        } else if (words == 3) {
             EXPECT_EQ(std::string(command), plotted.down ? "G1" : "G0") << line;
             EXPECT_EQ(plotted.down ? feed : 1800.0, 1800.0);
             plotted.move(x, y);
@@ -142,6 +196,8 @@ Written written(const std::vector<GroupInput>& groups, const output::PageSetting
         const auto file = output::make_writer(memory, out, info, its, result.counts);
         output::PageSettings settings = plotter_settings();
         settings.shapes = format.shapes;
+        settings.plot = format.plot;
+        settings.format = Format::value;
         const auto order = output::plot_order(memory, *file, settings, result.counts, nullptr, progress);
         order->begin_view({"", {0.0, 0.0, 200.0, 100.0}, {}, false});
         for (const GroupInput& group : groups) group.hand_to(*order);
@@ -223,7 +279,9 @@ TYPED_TEST(Plotter, DrawsAllLinesWithinTheTolerance) {
         expect_estimate(result);
         std::int64_t segments = 0;
         for (const Line& line : result.plotted.lines) segments += static_cast<std::int64_t>(line.size()) - 1;
+        segments -= result.plotted.between;
         EXPECT_EQ(result.counts.segments, segments);
+        EXPECT_EQ(result.plotted.arcs > 0, TypeParam::value == output::PageFormat::gcode);
         EXPECT_LT(segments, tolerance > 0.1 ? 800 : 2000); // the page has 5850 segments
     }
 }
@@ -360,6 +418,79 @@ TEST(Gcode, WritesTheExpectedCommands) {
               "G21\nG90\nG1 F1800\nup\n(pen 1: hatch ?2? gr?n, 0.3 mm)\nG0 X10 Y10\ndown\n"
               "G1 X20 Y10 F1800\nG1 X20 Y29.5\nup\nM0 (pen 2: , 0.3 mm)\nG0 X1 Y1\ndown\nG1 X0.5 Y1 F1800\nup\n"
               "M0 (pen 1: , 0.3 mm)\n(text left out: a??b?)\nM2\n");
+}
+
+TYPED_TEST(Plotter, LiftsThePenAfterTheLongestLength) {
+    GroupInput input;
+    for (int k = 0; k < 10; ++k) {
+        Line line;
+        for (int i = 0; i <= 40; ++i) line.push_back({60.0 + 2.5 * i, 10.0 + 8.0 * k + 3.0 * std::sin(0.1 * i), 0.1});
+        input.add(line);
+    }
+    Line ring;
+    for (int i = 0; i <= 100; ++i)
+        ring.push_back({100.0 + 30.0 * std::cos(0.02 * std::numbers::pi * i),
+                        50.0 + 30.0 * std::sin(0.02 * std::numbers::pi * i), 0.1});
+    ring.back() = ring[0];
+    input.add(ring, true);
+    // The ends of these lines meet, so the pen draws them in one go otherwise.
+    for (const double x : {20.0, 30.0, 40.0, 50.0}) input.add({{x, 5.0, 0.1}, {x, 15.0, 0.1}});
+    for (const double x : {20.0, 30.0, 40.0})
+        input.add({{x, x == 30.0 ? 5.0 : 15.0, 0.1}, {x + 10.0, x == 30.0 ? 5.0 : 15.0, 0.1}});
+    input.dots = {{180.0, 90.0, 3.0, 1.0, false}};
+    output::PageSettings format;
+    format.shapes.fills = true;
+    const Written without = written<TypeParam>({input}, format);
+    format.plot.longest = 25.0;
+    const Written with = written<TypeParam>({input}, format);
+    EXPECT_GT(without.plotted.longest, 60.0);
+    EXPECT_LE(with.plotted.longest, 25.0 * 1.01);
+    EXPECT_EQ(without.counts.cut_paths, 0);
+    EXPECT_EQ(with.counts.cut_paths, 12); // the ring, the lines, and the spiral
+    EXPECT_NEAR(with.plotted.drawn, without.plotted.drawn, 0.01 * without.plotted.drawn);
+    EXPECT_LE(farthest(lines_of(input), with.plotted.lines), format.shapes.tolerance + 0.02);
+    expect_estimate(with);
+    // All parts of a line are of one length.
+    GroupInput straight;
+    straight.add({{10.0, 50.0, 0.1}, {70.0, 50.0, 0.1}});
+    const Written cut = written<TypeParam>({straight}, format);
+    ASSERT_EQ(cut.plotted.lines.size(), 3U);
+    for (const Line& line : cut.plotted.lines) EXPECT_NEAR(length_of(line), 20.0, 0.03);
+}
+
+TEST(Gcode, WritesArcsOrSplinesOrLines) {
+    GroupInput input;
+    Line arc;
+    for (int i = 0; i <= 60; ++i)
+        arc.push_back({50.0 + 20.0 * std::cos(0.05 * i), 50.0 + 20.0 * std::sin(0.05 * i), 0.1});
+    input.add(arc);
+    output::PageSettings format;
+    const Written arcs = written<Gcode>({input}, format);
+    EXPECT_EQ(arcs.plotted.arcs, 1);
+    EXPECT_EQ(arcs.counts.segments, 1);
+    // Angles grow from x to y, which points down on the page, so the pen goes clockwise unless the line was turned.
+    EXPECT_THAT(arcs.text, HasSubstr("G3 X70 Y50 I19.8 J2.822 F1800"));
+    format.shapes.curves = output::Curves::splines;
+    const Written splines = written<Gcode>({input}, format);
+    EXPECT_GT(splines.plotted.splines, 0);
+    EXPECT_EQ(splines.plotted.arcs, 0);
+    format.shapes.curves = output::Curves::lines;
+    const Written lines = written<Gcode>({input}, format);
+    EXPECT_EQ(lines.plotted.arcs + lines.plotted.splines, 0);
+    for (const Written* one : {&arcs, &splines, &lines}) {
+        EXPECT_LE(farthest(lines_of(input), one->plotted.lines), 0.06);
+        EXPECT_LE(farthest(one->plotted.lines, lines_of(input)), 0.06);
+        expect_estimate(*one);
+    }
+    EXPECT_GT(lines.counts.segments, 5 * arcs.counts.segments);
+}
+
+TEST(Gcode, WritesCirclesAsTwoArcs) {
+    GroupInput input;
+    input.dots = {{50.0, 50.0, 2.0, 1.0, false}};
+    const Written result = written<Gcode>({input});
+    EXPECT_EQ(result.plotted.arcs, 2);
+    EXPECT_NEAR(result.plotted.drawn, 2.0 * std::numbers::pi * 1.85, 0.01);
 }
 
 TEST(Gcode, HasDefaultPenCommands) {

@@ -52,6 +52,7 @@ public:
                                          3.0 * s * t * t * c.control_2 + t * t * t * c.end);
         }
     }
+    void arc_to(const output::CurvePiece&) override { ADD_FAILURE() << "outlines have no arcs"; }
     void close() override { ++closed; }
 
     Shape shape;

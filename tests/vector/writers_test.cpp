@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <clocale>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 namespace hrbfnpr::testing::writers_test {
@@ -122,6 +124,52 @@ TEST(Svg, CanUseWidthClassesAndLineDots) {
         EXPECT_TRUE(has(svg, std::string("stroke-width=\"") + width + '"')) << width;
     EXPECT_FALSE(has(svg, "<circle"));
     EXPECT_TRUE(has(svg, R"(stroke-width="1.4" stroke-opacity=".5" d="M50 40l0 0")"));
+}
+
+// The shapes of one page in SVG: a half circle of one width, one that swells, and a circle.
+std::string svg_of_arcs(output::Curves curves, output::PageFormat format = output::PageFormat::svg) {
+    base::Memory memory;
+    Text text;
+    PageInfo info;
+    info.width = info.height = 100.0;
+    output::PageSettings settings;
+    settings.format = format;
+    settings.shapes.curves = curves;
+    PageCounts counts;
+    const std::unique_ptr<output::PageSink> writer = output::make_writer(memory, text, info, settings, counts);
+    writer->begin_group({});
+    for (const double swelling : {0.0, 0.005})
+        for (const double turn : {0.5, 1.0}) {
+            std::vector<PagePoint> points;
+            for (int i = 0; i <= 100; ++i) {
+                const double angle = 0.02 * turn * std::numbers::pi * i;
+                points.push_back(
+                    {50.0 + 20.0 * std::cos(angle), 50.0 + 20.0 * std::sin(angle), 0.25 + swelling * (i % 100)});
+            }
+            if (turn == 1.0) points.back() = points[0];
+            PagePath path;
+            path.points = points;
+            path.closed = turn == 1.0;
+            writer->path(path);
+        }
+    writer->end_group();
+    writer->finish();
+    return text.all;
+}
+
+TEST(Svg, HasArcsWhereLinesOfOneWidthAreArcs) {
+    const std::string arcs = svg_of_arcs(output::Curves::arcs), splines = svg_of_arcs(output::Curves::splines);
+    EXPECT_TRUE(has(arcs, "d=\"M70 50a20 20 0 0 1 -20 20 20 20 0 0 1 -20 -20\"/>")) << arcs;
+    EXPECT_TRUE(has(arcs, "d=\"M70 50a20 20 0 0 1 -30 17.321 20 20 0 0 1 0 -34.641 20 20 0 0 1 30 17.32z\"/>") ||
+                has(arcs, "d=\"M70 50a20 20 0 0 1 -30 17.321 20 20 0 0 1 0 -34.642 20 20 0 0 1 30 17.321z\"/>"))
+        << arcs;
+    EXPECT_FALSE(has(splines, "a20"));
+    EXPECT_FALSE(has(svg_of_arcs(output::Curves::lines), "a20"));
+    // Lines of varying width are the same in both.
+    const auto outlines = [](const std::string& svg) { return svg.substr(svg.find("<path d=")); };
+    EXPECT_EQ(outlines(arcs), outlines(splines));
+    EXPECT_EQ(svg_of_arcs(output::Curves::arcs, output::PageFormat::pdf),
+              svg_of_arcs(output::Curves::splines, output::PageFormat::pdf));
 }
 
 TEST(Pdf, HasCorrectObjectOffsets) {

@@ -139,7 +139,7 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>Writes drawings as vectors: SVG, PDF, HPGL and G-code.</summary>
+    /// <summary>Writes drawings as vectors: SVG, PDF, HPGL, G-code and DXF.</summary>
     /// <remarks>
     /// Strokes become curves within a tolerance of the drawing's lines; for plotters they become straight lines.  Ink
     /// is in named groups, the layers of a file.  The group of a layer of marks has that layer's name, such as

@@ -15,8 +15,13 @@ namespace HrbfNpr
         /// HPGL for plotters: absolute coordinates, 40 units per mm, y up from the lower left corner.
         /// </summary>
         Hpgl = 2,
-        /// <summary>G-code for plotters: G0 and G1 in mm, y up from the lower left corner.</summary>
+        /// <summary>G-code for plotters: G0 to G3 in mm, y up from the lower left corner.</summary>
         Gcode = 3,
+        /// <summary>
+        /// DXF of AutoCAD 2004 in mm, y up from the lower left corner, with groups as layers.  There is no paper.
+        /// Strokes of varying width become polylines with a width at each point, and dots become circles.
+        /// </summary>
+        Dxf = 4,
     }
 
     /// <summary>How strokes are written whose width varies.</summary>
@@ -41,6 +46,21 @@ namespace HrbfNpr
         Lines = 1,
         /// <summary>Spirals with which a pen fills the dot, if the dot is wider than the pen.</summary>
         Spirals = 2,
+    }
+
+    /// <summary>How the curves of lines of one width are written.  Hpgl has straight lines only.</summary>
+    [NativeConstants("HRBFNPR_CURVES_")]
+    public enum Curves
+    {
+        /// <summary>
+        /// Arcs of circles where lines consist of them, else splines (default).  Gcode has arcs and straight lines
+        /// only, and Pdf has no arcs.
+        /// </summary>
+        Arcs = 0,
+        /// <summary>Cubic Bezier curves: SPLINE in Dxf, G5 in Gcode.</summary>
+        Splines = 1,
+        /// <summary>Straight lines, for programs and machines that have neither arcs nor splines.</summary>
+        Lines = 2,
     }
 
     /// <summary>Types of lines, by the numbers of ISO 128-2.</summary>

@@ -51,5 +51,8 @@ namespace HrbfNpr
 
         /// <summary>In plot order, number of lines wider than their pen, drawn in several passes.</summary>
         public readonly long FilledPaths;
+
+        /// <summary>Number of lines longer than <see cref="PageOptions.Longest"/>, cut into parts.</summary>
+        public readonly long CutPaths;
     }
 }

@@ -16,6 +16,9 @@ namespace HrbfNpr
         /// <summary>How dots are written; default Circles.</summary>
         public DotShape Dots { get; set; }
 
+        /// <summary>How the curves of lines of one width are written; default Arcs.</summary>
+        public Curves Curves { get; set; }
+
         /// <summary>
         /// Whether to sort each group so that a pen travels little; default false.  Hpgl and Gcode are always sorted.
         /// </summary>
@@ -72,6 +75,12 @@ namespace HrbfNpr
         /// </summary>
         public double DotDistance { get; set; }
 
+        /// <summary>
+        /// In plot order, length that the pen draws at most before it is raised, in mm; 1 to 1e6; default 0 = no limit.
+        /// A longer line is cut into equal parts.
+        /// </summary>
+        public double Longest { get; set; }
+
         /// <summary>Speed of a plotter's pen on the paper, in mm/s; above 0, up to 1e6; default 30.</summary>
         public double DrawSpeed { get; set; } = 30;
 
@@ -111,6 +120,7 @@ namespace HrbfNpr
             desc->flags = (InPlotOrder ? 1u : 0) | (WithPaper ? 0 : 2u) | (SinglePass ? 4u : 0);
             desc->widths = (uint)Widths;
             desc->dots = (uint)Dots;
+            desc->curves = (uint)Curves;
             desc->width = Width;
             desc->height = Height;
             desc->tolerance = Tolerance;
@@ -118,6 +128,7 @@ namespace HrbfNpr
             desc->join = Join;
             desc->shortest = Shortest;
             desc->dot_distance = DotDistance;
+            desc->longest = Longest;
             desc->draw_speed = DrawSpeed;
             desc->travel_speed = TravelSpeed;
             desc->pen_seconds = PenSeconds;

@@ -184,7 +184,7 @@ export class Context extends Handle {
   orient(options: O.OrientDesc, control?: Control): { normals: Float64Array; info: O.OrientInfo };
   /** Orders points so that each is the farthest from those before it. */
   farthestPoints(points: ArrayInput, count: number, control?: Control): { indices: Uint32Array; distances: Float64Array };
-  /** Writes drawings, lines and texts as SVG, PDF, HPGL or G-code. */
+  /** Writes drawings, lines and texts as SVG, PDF, HPGL, G-code or DXF. */
   writePage(options: O.PageDesc, control?: Control): { bytes: Uint8Array; info: O.PageInfo };
   /** Makes squares with sides of two initial steps; 12 numbers each [NPAR 5.1]. */
   stepPatches(model: Model, count: number, options?: O.GenerateDesc, control?: Control): {
@@ -398,7 +398,7 @@ export class Picture extends Handle {
   /** Draws an image of the plate: the drawing with the section and the scale bar beside it. */
   rasterize(options?: { drawing?: Drawing; camera?: O.Camera; format?: C.FormatName | number }): {
     width: number; height: number; data: Uint8ClampedArray };
-  /** Writes the plate as SVG, PDF, HPGL or G-code. */
+  /** Writes the plate as SVG, PDF, HPGL, G-code or DXF. */
   write(options?: O.PicturePageDesc & { drawing?: Drawing; camera?: O.Camera }, control?: Control): {
     bytes: Uint8Array; info: O.PageInfo };
   /** Writes the plate as SVG text. */

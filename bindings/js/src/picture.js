@@ -138,7 +138,7 @@ export class Picture extends Made {
     });
   }
 
-  /** Writes the plate as SVG, PDF, HPGL or G-code: { bytes, info }. */
+  /** Writes the plate as SVG, PDF, HPGL, G-code or DXF: { bytes, info }. */
   write({ drawing = this.drawing, camera, ...page } = {}, control) {
     return Call.with(this.library, (call) => {
       const seen = call.structOf(camera && { ...camera }, "hrbfnpr_camera", "camera");

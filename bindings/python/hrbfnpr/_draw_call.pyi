@@ -67,8 +67,8 @@ def draw(
     flip: bool = ..., close: bool = ..., random_seed: Optional[int] = ..., page: Size = ...,
     page_margin: Optional[float] = ..., dots: Optional[str] = ..., stroke_widths: Optional[str] = ...,
     pens: Names = ..., pen_widths: Optional[Floats] = ..., single_pass: bool = ..., plot_order: bool = ...,
-    vector_tolerance: Optional[float] = ..., draw_speed: Optional[float] = ..., pen_up: Optional[str] = ...,
-    pen_down: Optional[str] = ...,
+    vector_tolerance: Optional[float] = ..., draw_speed: Optional[float] = ..., curves: Optional[str] = ...,
+    longest_path: Optional[float] = ..., pen_up: Optional[str] = ..., pen_down: Optional[str] = ...,
     **others: Any,
 ) -> Picture: ...
 

@@ -368,8 +368,8 @@ class Drawing(Owner):
         target : path or file object
             Where to write.
         format : str, optional
-            "svg", "pdf", "hpgl" or "gcode" for vectors, or a format of Pillow, such as "PNG".  By default the path's
-            ending chooses it, and PNG is used for file objects.
+            "svg", "pdf", "hpgl", "gcode" or "dxf" for vectors, or a format of Pillow, such as "PNG".  By default the
+            path's ending chooses it, and PNG is used for file objects.
         **options
             For vectors: `scale`, the size of a pixel in mm (default 25.4 / 96), and the options of `write_page`.
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pages: drawings as SVG, PDF, HPGL or G-code."""
+"""Pages: drawings as SVG, PDF, HPGL, G-code or DXF."""
 from __future__ import annotations
 
 import os
@@ -10,7 +10,7 @@ from ._callbacks import CallbackState, check
 from ._context import Context, resolve
 from ._errors import new_error, new_struct
 from ._library import ffi, lib
-from ._names import DOT_SHAPES, PAGE_FORMATS, WIDTHS, number_of
+from ._names import CURVES, DOT_SHAPES, PAGE_FORMATS, WIDTHS, number_of
 from ._operation import Operation, Progress, running
 from ._records import fill_list, read, text_in
 
@@ -23,6 +23,7 @@ PIXEL = 25.4 / 96  # size of a pixel in mm, as in CSS
 # The format for each ending of a file's name.
 ENDINGS = {
     ".svg": "svg", ".pdf": "pdf", ".hpgl": "hpgl", ".plt": "hpgl", ".gcode": "gcode", ".nc": "gcode", ".ngc": "gcode",
+    ".dxf": "dxf",
 }  # fmt: skip
 _STRINGS = ("title", "description", "metadata", "pen_down", "pen_up")
 
@@ -43,6 +44,7 @@ def write_page(
     annotations: Sequence[Annotation] = (),
     widths: str = "outlines",
     dots: str = "circles",
+    curves: str = "arcs",
     plot_order: bool = False,
     single_pass: bool = False,
     paper: bool = True,
@@ -61,8 +63,9 @@ def write_page(
         Where to write.
     items : Drawing, PageItem or sequence of PageItem
         The drawings, with their places on the page.  A single drawing has pixels of 1/96 inch.
-    format : {"svg", "pdf", "hpgl", "gcode"}, optional
-        By default the path's ending chooses it: .svg; .pdf; .hpgl or .plt; .gcode, .nc or .ngc.  Otherwise it is "svg".
+    format : {"svg", "pdf", "hpgl", "gcode", "dxf"}, optional
+        By default the path's ending chooses it: .svg; .pdf; .hpgl or .plt; .gcode, .nc or .ngc; .dxf.  Otherwise it is
+        "svg".
     pens : sequence of Pen
         The pens for groups of lines.  On plotters, a group without a pen is drawn with a pen of 0.3 mm.
     annotations : sequence of Annotation
@@ -73,6 +76,9 @@ def write_page(
     dots : {"circles", "lines", "spirals"}
         How dots are written.  "circles": circles; plotters fill them, unless `single_pass`.  "lines": lines of no length
         with round ends, at which a pen touches the paper.  "spirals": spirals with which a pen fills the dot.
+    curves : {"arcs", "splines", "lines"}
+        How the curves of lines of one width are written.  "arcs": arcs of circles where lines consist of them, else
+        splines; G-code has arcs and straight lines only.  "splines": cubic Bezier curves.  "lines": straight lines.
     plot_order : bool
         True: sort each group so that a pen travels little, and leave out what the pen cannot resolve.  HPGL and G-code are
         always sorted.
@@ -86,8 +92,9 @@ def write_page(
     **options
         width, height (size of the page in mm; 0 = as far as the drawings reach), tolerance (largest distance between
         drawn and written lines in mm, 0.001 to 10; 0.05), width_step (1.01 to 4; 1.25), join, shortest, dot_distance (in mm;
-        0 = from the pen's width), draw_speed, travel_speed (in mm/s; 30 and 80), pen_seconds (0.15), pen_down, pen_up
-        (G-code; "G1 Z0" and "G0 Z5"), title, description, metadata (str).
+        0 = from the pen's width), longest (length that a pen draws at most before it is raised, in mm, at least 1; 0 = no
+        limit), draw_speed, travel_speed (in mm/s; 30 and 80), pen_seconds (0.15), pen_down, pen_up (G-code; "G1 Z0" and
+        "G0 Z5"), title, description, metadata (str).
 
     Returns
     -------
@@ -109,6 +116,7 @@ def write_page(
     keep: List[Any] = []
     desc.format = number_of("format", PAGE_FORMATS, format or format_of(target) or "svg")
     desc.widths, desc.dots = number_of("widths", WIDTHS, widths), number_of("dots", DOT_SHAPES, dots)
+    desc.curves = number_of("curves", CURVES, curves)
     flags = (("IN_PLOT_ORDER", plot_order), ("SINGLE_PASS", single_pass), ("WITHOUT_PAPER", not paper))
     for flag, wanted in flags:
         if wanted:
@@ -140,6 +148,6 @@ def write_page(
 
 
 _OPTIONS = (
-    "width", "height", "tolerance", "width_step", "join", "shortest", "dot_distance", "draw_speed", "travel_speed",
+    "width", "height", "tolerance", "width_step", "join", "shortest", "dot_distance", "longest", "draw_speed", "travel_speed",
     "pen_seconds", *_STRINGS,
 )  # fmt: skip

@@ -162,7 +162,7 @@ class Picture:
         Parameters
         ----------
         target : path or binary file object
-            Where to write.  Paths that end in .svg, .pdf, .hpgl or .gcode get vectors.
+            Where to write.  Paths that end in .svg, .pdf, .hpgl, .gcode or .dxf get vectors.
         format : str, optional
             As in `Drawing.save`; by default the path's ending chooses it, and PNG is used for file objects.
         """

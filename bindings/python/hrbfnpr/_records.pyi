@@ -689,6 +689,8 @@ class PageInfo:
         Time that a plotter takes at the given speeds, in seconds; in plot order, else 0.
     filled_paths : int
         Lines wider than their pen, drawn in several passes.
+    cut_paths : int
+        Lines longer than `longest`, cut into parts.
     """
 
     bytes: int
@@ -705,6 +707,7 @@ class PageInfo:
     travelled: float
     seconds: float
     filled_paths: int
+    cut_paths: int
 
 @dataclass(frozen=True)
 class MeshInfo:

@@ -28,7 +28,7 @@ BY_NAME: Dict[str, Option] = {row.alias: row for row in OPTIONS if row.alias}
 BY_NAME.update({row.name: row for row in OPTIONS})
 _WIDTH_BY_HEIGHT = ("size", "page")  # written as WIDTHxHEIGHT
 _PREFIXES = {"profile": "PROFILE", "parts": "PARTS", "sides": "PICTURE_SIDES"}
-_CHOICES = {"dots": "DOT_SHAPE", "widths": "WIDTHS"}  # options of a page
+_CHOICES = {"dots": "DOT_SHAPE", "widths": "WIDTHS", "curves": "CURVES"}  # options of a page
 _PLOTTERS = ("hpgl", "gcode")
 
 

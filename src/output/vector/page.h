@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The pipeline from drawings to a file, which write_page.cpp puts together. lay_out() turns a drawing into groups of
 // lines and dots on the page. Filters receive them and pass them on: line_types() cuts lines into dashes, and
-// plot_order() clips, joins, fills and sorts them for a pen (write_page.cpp, plot_lines.cpp, tour.cpp). A writer
-// (writers.cpp) is the last stage: it writes lines as curves for SVG and PDF, or as straight pen strokes for plotters
-// (shapes.h).
+// plot_order() clips, joins, fills and sorts them for a pen (filters.cpp, plot_lines.cpp, tour.cpp). A writer
+// (writers.cpp, dxf.cpp) is the last stage. It writes lines as curves, or as straight strokes (shapes.h, curves.h).
 //
 // This file declares the data that the stages exchange, in millimetres from the page's top-left corner with y down.
 #pragma once
@@ -24,10 +23,11 @@ namespace hrbfnpr::output {
 
 // ---- Data of formats
 
-// The values equal those of the fields format, widths and dots of hrbfnpr_page_desc.
-enum class PageFormat : std::uint32_t { svg = 0, pdf = 1, hpgl = 2, gcode = 3 };
+// The values equal those of the fields format, widths, dots and curves of hrbfnpr_page_desc.
+enum class PageFormat : std::uint32_t { svg = 0, pdf = 1, hpgl = 2, gcode = 3, dxf = 4 };
 enum class Widths : std::uint32_t { outlines = 0, classes = 1 };
 enum class DotShapes : std::uint32_t { circles = 0, lines = 1, spirals = 2 };
+enum class Curves : std::uint32_t { arcs = 0, splines = 1, lines = 2 };
 // The values equal those of hrbfnpr_pen.line_type; from 1 on they are the line type numbers of ISO 128-2.
 enum class LineType : std::uint32_t { as_drawn = 0, continuous = 1, last = 15 };
 
@@ -144,6 +144,8 @@ struct PageInfo {
     const char* description = nullptr;
     const char* metadata = nullptr;
     const char* program = ""; // the version of the program that writes the file
+    // For DXF, the groups of the page. Groups with equal names may be repeated.
+    std::span<const PageGroup> groups;
 };
 
 // The counts that writers and filters make.
@@ -151,7 +153,7 @@ struct PageCounts {
     std::int64_t bytes = 0;
     std::int64_t paths = 0, dots = 0, groups = 0;
     std::int64_t joined = 0, dropped_paths = 0, dropped_dots = 0;
-    std::int64_t filled_paths = 0;
+    std::int64_t filled_paths = 0, cut_paths = 0;
     std::int64_t segments = 0; // Bezier curves or straight lines
     double drawn = 0.0, travelled = 0.0, seconds = 0.0;
 };
@@ -160,6 +162,7 @@ struct PageCounts {
 struct ShapeSettings {
     Widths widths = Widths::outlines;
     DotShapes dots = DotShapes::circles;
+    Curves curves = Curves::arcs;
     double tolerance = 0.05;  // mm
     double width_step = 1.25; // ratio of the widths of two consecutive classes
     bool fills = false;       // lines and dots wider than their pen are filled by several passes
@@ -177,6 +180,7 @@ struct PenSpeeds {
 
 struct PlotSettings {
     double join = 0.0, shortest = 0.0, dot_distance = 0.0; // in mm; 0: computed from the pen's width
+    double longest = 0.0; // the pen is raised after at most this length, in mm; 0: no limit
     PenSpeeds speeds;
     const char* pen_down = nullptr; // lines of G-code; NULL: the default lines
     const char* pen_up = nullptr;
@@ -198,8 +202,13 @@ struct PageSettings {
 
 // ---- Filters and writers: a filter passes its output to the next sink; filters and writers count lines and dots
 
+// Returns the lengths of the dashes and gaps of a line type, in line widths; none for a continuous line.
+[[nodiscard]] std::span<const double> dashes_of(LineType type) noexcept;
 // Cuts the lines of groups that have a line type into the dashes of that type.
 [[nodiscard]] std::unique_ptr<PageSink> line_types(base::Memory& memory, PageSink& next);
+// Clips lines and dots to the frames of their views and to the page size in `settings`.
+[[nodiscard]] std::unique_ptr<PageSink> clip_to_frames(base::Memory& memory, PageSink& next,
+                                                       const PageSettings& settings);
 
 class PenTrack;
 // Clips the lines of a group, and keeps them until the group ends. Then the filter joins lines, drops short lines,
@@ -210,7 +219,7 @@ class PenTrack;
                                                    PageCounts& counts, PenTrack* track, const base::Progress& progress);
 
 // Makes the writer for settings.format: SVG 1.1 with Inkscape's layers, PDF 1.5 whose groups are optional content, HPGL
-// for HP's 7400 series of plotters, or G-code [ISO 6983-1]. It keeps references to all its arguments.
+// for HP's 7400 series of plotters, G-code [ISO 6983-1], or DXF. It keeps references to all its arguments.
 [[nodiscard]] std::unique_ptr<PageSink> make_writer(base::Memory& memory, io::Writer& writer, const PageInfo& page,
                                                     const PageSettings& settings, PageCounts& counts);
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Converts lines and dots to the shapes of file formats. For SVG and PDF a line becomes a filled outline, or one or
-// more lines of constant width, made of Bezier curves. For a plotter it becomes straight lines within the tolerance,
-// and the time of the pen is counted.
+// more lines of constant width, made of Bezier curves and arcs (curves.h). For a plotter it becomes straight lines
+// within the tolerance, and the time of the pen is counted.
 #pragma once
 
+#include "output/vector/curves.h"
 #include "output/vector/page.h"
 #include "output/vector/tuning.h"
 
@@ -27,6 +28,7 @@ public:
     virtual void move_to(const glm::dvec2& p) = 0;
     virtual void line_to(const glm::dvec2& p) = 0;
     virtual void curve_to(const geometry::Cubic& cubic) = 0;
+    virtual void arc_to(const CurvePiece& arc) = 0;
     virtual void close() = 0;
     virtual void end_shape() = 0;
 };
@@ -105,7 +107,7 @@ inline void add_spiral(const PageDot& dot, double pen_width, double tolerance, b
 class Shapes {
 public:
     Shapes(base::Memory& memory, const ShapeSettings& settings) noexcept
-        : settings_(settings), fit_(memory), line_(memory), part_(memory), sides_(memory) {}
+        : settings_(settings), fit_(memory), curves_(memory), line_(memory), part_(memory), sides_(memory) {}
 
     void shape(const PagePath& path, const PageGroup& group, ShapeSink& sink) {
         HRBFNPR_ASSERT(!path.points.empty());
@@ -132,9 +134,7 @@ public:
             sink.move_to({dot.x, dot.y});
             sink.line_to({dot.x, dot.y});
         } else {
-            sink.move_to(line_[0]);
-            for (const geometry::Cubic& cubic : fit_.fit(line_.span(), settings_.tolerance, false))
-                sink.curve_to(cubic);
+            add_curve(curves_.fit(line_.span(), settings_.tolerance, false, settings_.curves), sink);
         }
         sink.end_shape();
     }
@@ -197,14 +197,21 @@ private:
                   ShapeSink& sink) {
         line_.clear();
         for (const PagePoint& p : points) line_.push_back(place_of(p));
-        const std::span<const geometry::Cubic> cubics = fit_.fit(line_.span(), settings_.tolerance, path.closed);
-        if (cubics.empty() && cap == drawing::Cap::flat) return; // a point with flat ends is invisible
+        const CurveLine line = curves_.fit(line_.span(), settings_.tolerance, path.closed, settings_.curves);
+        if (line.pieces.empty() && cap == drawing::Cap::flat) return; // a point with flat ends is invisible
         sink.begin_line(width, cap, path.opacity);
-        sink.move_to(path.closed && !cubics.empty() ? cubics.back().end : line_[0]);
-        for (const geometry::Cubic& cubic : cubics) sink.curve_to(cubic);
-        if (cubics.empty()) sink.line_to(line_[0]);
-        if (path.closed && !cubics.empty()) sink.close();
+        add_curve(line, sink);
+        if (line.pieces.empty()) sink.line_to(line.start);
+        if (path.closed && !line.pieces.empty()) sink.close();
         sink.end_shape();
+    }
+    static void add_curve(const CurveLine& line, ShapeSink& sink) {
+        sink.move_to(line.start);
+        for (const CurvePiece& piece : line.pieces) switch (piece.kind) {
+            case CurvePiece::Kind::line: sink.line_to(piece.end); break;
+            case CurvePiece::Kind::arc: sink.arc_to(piece); break;
+            case CurvePiece::Kind::cubic: sink.curve_to({piece.control_1, piece.control_2, piece.end}); break;
+            }
     }
     // Cuts the line into parts, and draws each part in the width of its class. Parts meet where the width is midway
     // between two classes.
@@ -277,7 +284,8 @@ private:
     }
 
     ShapeSettings settings_;
-    geometry::CurveFit fit_;
+    geometry::CurveFit fit_; // of the sides of outlines
+    CurvePieces curves_;     // of lines
     base::Array<glm::dvec2> line_;
     base::Array<PagePoint> part_;
     base::Array<Side> sides_;
@@ -290,10 +298,15 @@ class PenLines {
 public:
     explicit PenLines(base::Memory& memory) noexcept : places_(memory), line_(memory), keeps_(memory) {}
 
-    // Returns as few points of the path as suffice for a polyline within the tolerance of the path.
-    std::span<const glm::dvec2> line(const PagePath& path, double tolerance) {
+    // Returns the points of the path.
+    std::span<const glm::dvec2> places(const PagePath& path) {
         places_.clear();
         for (const PagePoint& p : path.points) places_.push_back(place_of(p));
+        return places_.span();
+    }
+    // Returns as few points of the path as suffice for a polyline within the tolerance of the path.
+    std::span<const glm::dvec2> line(const PagePath& path, double tolerance) {
+        places(path);
         geometry::simplify_polyline(std::span<const glm::dvec2>(places_.span()), tolerance, keeps_);
         line_.clear();
         for (std::int64_t i = 0; i < places_.size(); ++i)
@@ -317,10 +330,11 @@ public:
             const double half = std::acos(std::clamp(1.0 - settings.tolerance / radius, 0.0, 1.0));
             const double sides = std::max(8.0, std::ceil(std::numbers::pi / half));
             const double begin = std::atan2(from.y - centre.y, from.x - centre.x);
-            for (double side = 0.0; side <= sides; side += 1.0) {
+            for (double side = 0.0; side < sides; side += 1.0) {
                 const double angle = begin + 2.0 * std::numbers::pi * side / sides;
                 line_.push_back(centre + radius * glm::dvec2(std::cos(angle), std::sin(angle)));
             }
+            line_.push_back(line_[0]);
         }
         return line_.span();
     }
@@ -330,11 +344,12 @@ private:
     base::Array<std::uint8_t> keeps_;
 };
 
-// Adds up the distances and the time of a pen. The pen starts raised at `from`.
+// Adds up the distances and the time of a pen. The pen starts raised at `from`. It is raised after it drew `longest` mm
+// at most; 0 means no limit.
 class PenTrack {
 public:
-    PenTrack(PageCounts& counts, const PenSpeeds& speeds, const glm::dvec2& from) noexcept
-        : counts_(counts), speeds_(speeds), place_(from) {}
+    PenTrack(PageCounts& counts, const PenSpeeds& speeds, const glm::dvec2& from, double longest = 0.0) noexcept
+        : counts_(counts), speeds_(speeds), place_(from), longest_(longest) {}
 
     [[nodiscard]] const glm::dvec2& place() const noexcept { return place_; }
     // Moves the raised pen. Does nothing if the pen is there already.
@@ -347,17 +362,27 @@ public:
         is_down_ = false;
     }
     void raise() noexcept { is_down_ = false; }
-    // Lowers the pen if it is raised, and moves it. If the distance is 0, the pen is lowered all the same.
-    void draw(const glm::dvec2& to) noexcept {
-        const double way = glm::distance(place_, to);
-        if (!is_down_) counts_.seconds += 2.0 * speeds_.seconds;
+    // Returns whether the pen must be raised before it draws a line of this length, even if it is at its start.
+    [[nodiscard]] bool is_too_long(double line) const noexcept {
+        return longest_ > 0.0 && is_down_ && since_lowered_ + line > longest_;
+    }
+    // Lowers the pen if it is raised, and moves it along a line, or a curve of the length `way`. If the distance is 0,
+    // the pen is lowered all the same.
+    void draw(const glm::dvec2& to) noexcept { draw(to, glm::distance(place_, to)); }
+    void draw(const glm::dvec2& to, double way) noexcept {
+        if (!is_down_) {
+            counts_.seconds += 2.0 * speeds_.seconds;
+            since_lowered_ = 0.0;
+        }
         is_down_ = true;
+        since_lowered_ += way;
         counts_.drawn += way;
         counts_.seconds += way / speeds_.draw;
         place_ = to;
     }
     void draw(std::span<const glm::dvec2> line) noexcept {
         HRBFNPR_ASSERT(!line.empty());
+        if (is_too_long(geometry::length_along(line, [](const glm::dvec2& p) { return p; }))) raise();
         travel(line[0]);
         for (const glm::dvec2& place : line) draw(place);
     }
@@ -366,6 +391,7 @@ private:
     PageCounts& counts_;
     PenSpeeds speeds_;
     glm::dvec2 place_;
+    double longest_, since_lowered_ = 0.0;
     bool is_down_ = false;
 };
 

@@ -42,6 +42,13 @@ public:
         char digits[24];
         return *this << until(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
     }
+    TextOut& hexadecimal(std::uint64_t number) {
+        char digits[24];
+        char* const end = std::to_chars(digits, digits + sizeof digits, number, 16).ptr;
+        for (char* digit = digits; digit < end; ++digit)
+            if (*digit >= 'a') *digit = static_cast<char>(*digit - 'a' + 'A');
+        return *this << until(digits, end);
+    }
     // Writes number / 1000 as a decimal without trailing zeros; for example, 1500 becomes 1.5.
     TextOut& thousandths(std::int64_t number) {
         char digits[32];

@@ -110,6 +110,27 @@ struct ShapeTuning {
 };
 inline constexpr ShapeTuning shape_tuning;
 
+struct ArcTuning {
+    // Arcs have at most this radius, mm. Controllers of plotters compute in single precision, which is exact to 0.001
+    // mm up to about this radius. Larger: fewer lines, less exact arcs.
+    double largest_radius = 2000.0;
+    // Lines that replace cubics are within this share of the tolerance, and arcs, too, if there are several. Larger:
+    // more arcs, also where the curve has none.
+    double share_of_several = 0.2;
+    // A single line may use the whole tolerance if the best arc's squared error is not smaller by this factor. Larger:
+    // more lines, also where the curve bends evenly.
+    double least_gain = 4.0;
+    // Such arcs and lines meet at angles of at most this, in radians, and each arc turns by more than this. Larger: more
+    // arcs, with visible corners. Set with share_of_several on sheets of a slotted link and a bush.
+    double widest_kink = 0.1;
+    // The largest sweep of an arc in SVG, in radians. An arc is given by its radius there, so its centre is uncertain
+    // near half a turn.
+    double most_sweep_by_radius = 2.0 * std::numbers::pi / 3.0;
+    // The largest sweep of an arc in G-code. Some controllers do not draw full circles.
+    double most_sweep_by_centre = std::numbers::pi;
+};
+inline constexpr ArcTuning arc_tuning;
+
 // The number of steps between two checks for cancellation. A step is a point, line or dot, or a comparison of a sort.
 inline constexpr std::int64_t steps_per_check = 512;
 inline constexpr std::int64_t comparisons_per_check = 65536;

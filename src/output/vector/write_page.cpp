@@ -4,12 +4,8 @@
 //    far to near, as in the raster.
 // 2. lay_out makes a group with a name and a pen for each run, layer and number of hiding surfaces, and adds its dots
 //    or strokes.
-// 3. DashFilter is a filter that cuts lines into dashes [ISO 128-2].
-// 4. PlotOrderFilter is a filter that clips, joins, drops, fills and sorts the lines and dots of a group for a pen.
-// 5. write_page makes the writer and the filters before it, and passes drawings and annotations to them.
-#include "geometry/point_tree.h"
+// 3. write_page makes the writer and the filters before it (filters.cpp), and passes drawings and annotations to them.
 #include "marks/point_set.h"
-#include "output/vector/plot_lines.h"
 #include "output/vector/shapes.h"
 #include "output/vector/tuning.h"
 
@@ -346,318 +342,26 @@ void add_stroke(const Mapping& map, const Stroke& stroke, base::Array<PagePoint>
     }
 }
 
-// ---- Line types
+// ---- Groups
 
-// Alternating lengths of dashes and gaps, in line widths. The first 0 ends the pattern.
-using Pattern = std::array<double, 10>;
-constexpr double dot_part = 0.5, gap = 3.0, space = 18.0, short_dash = 6.0, dash = 12.0, long_dash = 24.0;
-constexpr std::array<Pattern, 16> patterns{{
-    {},
-    {},
-    {dash, gap},
-    {dash, space},
-    {long_dash, gap, dot_part, gap},
-    {long_dash, gap, dot_part, gap, dot_part, gap},
-    {long_dash, gap, dot_part, gap, dot_part, gap, dot_part, gap},
-    {dot_part, gap},
-    {long_dash, gap, short_dash, gap},
-    {long_dash, gap, short_dash, gap, short_dash, gap},
-    {dash, gap, dot_part, gap},
-    {dash, gap, dash, gap, dot_part, gap},
-    {dash, gap, dot_part, gap, dot_part, gap},
-    {dash, gap, dash, gap, dot_part, gap, dot_part, gap},
-    {dash, gap, dot_part, gap, dot_part, gap, dot_part, gap},
-    {dash, gap, dash, gap, dot_part, gap, dot_part, gap, dot_part, gap},
-}};
-static_assert(patterns.size() == static_cast<std::size_t>(LineType::last) + 1);
-// A line with more periods than this is drawn solid, because the dashes would be invisible and would take too long to
-// write.
-constexpr double most_periods = 1e5;
-
-class DashFilter final : public PageFilter {
+// Lists the groups of a page, and ignores its ink.
+class GroupList final : public PageSink {
 public:
-    DashFilter(base::Memory& memory, PageSink& next) noexcept : PageFilter(next), part_(memory) {}
-
-    void begin_group(const PageGroup& group) override {
-        group_ = group;
-        next_.begin_group(group);
-    }
-    void path(const PagePath& path) override {
-        HRBFNPR_ASSERT(path.points.size() > 1);
-        const Pattern& pattern = patterns[std::min(static_cast<std::size_t>(group_.line_type), patterns.size() - 1)];
-        double width = group_.pen_width;
-        if (!(width > 0.0)) {
-            width = 0.0;
-            for (const PagePoint& p : path.points) width = std::max(width, 2.0 * p.radius);
-        }
-        const double length = length_of(path.points);
-        double period = 0.0;
-        for (const double part : pattern) period += width * part;
-        const double first = width * pattern[0];
-        if (!(first > 0.0) || length <= first || !(length <= most_periods * period)) {
-            next_.path(path);
-            return;
-        }
-        // The pattern is scaled to a whole number of periods; an open line gets a final dash.
-        const double open = path.closed ? 0.0 : first;
-        const double times = std::max(std::floor((length - open) / period + 0.5), 1.0);
-        const double scale = length / (times * period + open);
-        PagePath piece = path;
-        piece.closed = false;
-        piece.begin = piece.end = drawing::Cap::flat;
-        std::size_t at = 0; // the index in the pattern
-        double left = scale * first;
-        part_.clear();
-        part_.push_back(path.points[0]);
-        const auto emit = [&] {
-            piece.points = part_.span();
-            if (at % 2 == 0 && part_.size() > 1) next_.path(piece);
-        };
-        for (std::size_t i = 1; i < path.points.size(); ++i) {
-            PagePoint a = path.points[i - 1];
-            const PagePoint& b = path.points[i];
-            double rest = glm::distance(place_of(a), place_of(b));
-            while (rest > left) {
-                a = between(a, b, left / rest);
-                rest -= left;
-                part_.push_back(a);
-                emit();
-                part_.clear();
-                part_.push_back(a);
-                at = at + 1 < pattern.size() && pattern[at + 1] > 0.0 ? at + 1 : 0;
-                left = scale * width * pattern[at];
-            }
-            left -= rest;
-            part_.push_back(b);
-        }
-        if (left < scale * width * pattern[at] * (1.0 - 1e-9)) emit();
-    }
+    explicit GroupList(base::Array<PageGroup>& groups) noexcept : groups_(groups) {}
+    void begin_view(const PageView&) override {}
+    void begin_group(const PageGroup& group) override { groups_.push_back(group); }
+    void path(const PagePath&) override {}
+    void dot(const PageDot&) override {}
+    void text(const PageText&) override {}
+    void end_group() override {}
+    void end_view() override {}
+    void finish() override {}
 
 private:
-    PageGroup group_;
-    base::Array<PagePoint> part_;
+    base::Array<PageGroup>& groups_;
 };
-
-// Narrows the range from..to of a segment, which is 0 to 1 at first, to the part within the frame. Returns false if the
-// segment is outside the frame or not finite. [Liang and Barsky 1984, "A new concept and method for line clipping"]
-bool find_within(const PagePoint& a, const PagePoint& b, const Frame& frame, double& from, double& to) noexcept {
-    if (!std::isfinite(a.x + a.y + b.x + b.y)) return false;
-    const double dx = b.x - a.x, dy = b.y - a.y;
-    // For each side of the frame, the speed of the segment towards it, and the distance from the segment's start to it.
-    const std::array<double, 4> speed{-dx, dx, -dy, dy};
-    const std::array<double, 4> room{a.x - frame.left, frame.right - a.x, a.y - frame.top, frame.bottom - a.y};
-    for (std::size_t side = 0; side < 4; ++side) {
-        if (speed[side] == 0.0 && room[side] < 0.0) return false;
-        if (speed[side] < 0.0) from = std::max(from, room[side] / speed[side]);
-        if (speed[side] > 0.0) to = std::min(to, room[side] / speed[side]);
-    }
-    return from < to;
-}
-
-// ---- The order of a pen
-
-constexpr std::int64_t lines_per_check = 64;
-
-class PlotOrderFilter final : public PageFilter {
-public:
-    PlotOrderFilter(base::Memory& memory, PageSink& next, const PageSettings& settings, PageCounts& counts,
-                    PenTrack* track, const base::Progress& progress)
-        : PageFilter(next), memory_(memory), settings_(settings), counts_(counts), track_(track), progress_(progress),
-          checks_(progress, lines_per_check), frame_{0.0, 0.0, settings.width, settings.height}, lines_(memory),
-          dots_(memory), ring_(memory), part_(memory), pen_lines_(memory), turned_(memory), pen_(0.0, settings.height) {
-    }
-    void begin_view(const PageView& view) override {
-        const Frame& own = view.frame;
-        frame_ = {std::max(0.0, own.left), std::max(0.0, own.top), std::min(settings_.width, own.right),
-                  std::min(settings_.height, own.bottom)};
-        next_.begin_view(view);
-    }
-    void begin_group(const PageGroup& group) override {
-        group_ = group;
-        if (settings_.for_plotter() && !(group_.pen_width > 0.0)) group_.pen_width = plotter_pen;
-        lines_.clear();
-        dots_.clear();
-        if (track_ != nullptr) track_->raise();
-        next_.begin_group(group_);
-    }
-    void path(const PagePath& path) override {
-        PlotLine like;
-        like.width = group_.pen_width;
-        clip(path, like, lines_);
-    }
-    void dot(const PageDot& dot) override {
-        checks_.count();
-        if (frame_.contains(dot.x, dot.y)) dots_.push_back(dot);
-    }
-    void end_group() override {
-        const bool dashed = group_.line_type > LineType::continuous;
-        if (!dashed) { // in dashed lines, short dashes and gaps are intended
-            counts_.joined += join_lines(lines_, settings_.plot.join, group_.pen_width > 0.0, progress_);
-            drop_short();
-        }
-        if (settings_.shapes.fills && group_.pen_width > 0.0) {
-            counts_.filled_paths += fill_lines(lines_, settings_.shapes.tolerance, progress_);
-            // Clip passes again, because they may leave the frame where the centre line does not.
-            PlotLines within(memory_);
-            for (const PlotLine& line : lines_.lines) clip(lines_.path_of(line), line, within);
-            std::swap(lines_, within);
-        }
-        drop_near_dots();
-        forward_lines();
-        next_.end_group();
-    }
-    void end_view() override {
-        frame_ = {0.0, 0.0, settings_.width, settings_.height};
-        next_.end_view();
-    }
-
-private:
-    // Clips the path's centre line to the frame, and adds the parts to `out` in order. Cut ends are flat. A closed path
-    // becomes open if any part of it is cut off.
-    void clip(const PagePath& path, const PlotLine& like, PlotLines& out) {
-        checks_.count();
-        const auto take = [&](const PagePath& part) {
-            PlotLine line = like;
-            line.width = like.width > 0.0 ? like.width : mean_width(part.points);
-            line.opacity = part.opacity;
-            line.begin = part.begin;
-            line.end = part.end;
-            line.closed = part.closed;
-            out.add(line, part.points);
-        };
-        HRBFNPR_ASSERT(path.points.size() > 1);
-        const auto inside = [&](const PagePoint& p) { return frame_.contains(p.x, p.y); };
-        if (std::all_of(path.points.begin(), path.points.end(), inside)) {
-            take(path);
-            return;
-        }
-        std::span<const PagePoint> points = path.points;
-        if (path.closed) { // rotate the path, so that it starts outside the frame
-            const std::span<const PagePoint> once = points.first(points.size() - 1);
-            const auto first = std::find_if_not(once.begin(), once.end(), inside) - once.begin();
-            ring_.clear();
-            for (std::size_t i = 0; i <= once.size(); ++i)
-                ring_.push_back(once[(static_cast<std::size_t>(first) + i) % once.size()]);
-            points = ring_.span();
-        }
-        PagePath part = path;
-        part.closed = false;
-        const auto emit = [&](drawing::Cap end) {
-            part.points = part_.span();
-            part.end = end;
-            if (part_.size() > 1) take(part);
-            part_.clear();
-        };
-        part_.clear();
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            const PagePoint& a = points[i - 1];
-            const PagePoint& b = points[i];
-            double from = 0.0, to = 1.0;
-            const bool any = find_within(a, b, frame_, from, to);
-            if (!any || part_.empty() || from > 0.0) emit(drawing::Cap::flat);
-            if (!any) continue;
-            if (part_.empty()) {
-                part.begin = i == 1 && from <= 0.0 && !path.closed ? path.begin : drawing::Cap::flat;
-                part_.push_back(from > 0.0 ? between(a, b, from) : a);
-            }
-            part_.push_back(to < 1.0 ? between(a, b, to) : b);
-            if (to < 1.0) emit(drawing::Cap::flat);
-        }
-        emit(path.closed ? drawing::Cap::flat : path.end);
-    }
-    [[nodiscard]] bool fills(std::span<const PagePoint> points, double pen) const noexcept {
-        return settings_.shapes.fills && group_.pen_width > 0.0 && is_wider_than(pen, points);
-    }
-    [[nodiscard]] double pen_of(const PageDot& dot) const noexcept {
-        return group_.pen_width > 0.0 ? group_.pen_width : 2.0 * dot.radius;
-    }
-    void drop_short() {
-        const auto is_short = [&](const PlotLine& line) {
-            checks_.count();
-            const double least =
-                settings_.plot.shortest > 0.0 ? settings_.plot.shortest : plot_tuning.shortest_line * line.width;
-            const std::span<const PagePoint> points = lines_.points_of(line);
-            return !line.goes_on && !fills(points, line.width) && !(length_of(points) >= least);
-        };
-        const std::int64_t kept =
-            std::remove_if(lines_.lines.begin(), lines_.lines.end(), is_short) - lines_.lines.begin();
-        counts_.dropped_paths += lines_.lines.size() - kept;
-        lines_.lines.resize(kept);
-    }
-    // Goes through the dots in order. Each dot removes later dots that are too near.
-    void drop_near_dots() {
-        geometry::VecArray places(memory_);
-        for (const PageDot& dot : dots_) places.push_back({dot.x, dot.y, 0.0});
-        const geometry::PointTree tree(places, progress_);
-        base::Array<std::uint8_t> taken(memory_, dots_.size());
-        std::int64_t kept = 0;
-        for (std::int64_t i = 0; i < dots_.size(); ++i) {
-            checks_.count();
-            if (taken[i] != 0) continue;
-            const PageDot dot = dots_[i];
-            const double least = settings_.plot.dot_distance > 0.0 ? settings_.plot.dot_distance
-                                                                   : plot_tuning.shortest_line * pen_of(dot);
-            tree.within(places[i], least, [&](std::int64_t at, double square) {
-                if (square < least * least) taken[tree.index(at)] = 1;
-            });
-            dots_[kept++] = dot;
-        }
-        counts_.dropped_dots += dots_.size() - kept;
-        dots_.resize(kept);
-    }
-    void forward_lines() {
-        check_cancel(progress_);
-        base::Array<PagePoint> places(memory_);
-        for (const PageDot& dot : dots_) places.push_back({dot.x, dot.y, dot.radius});
-        base::Array<Stop> stops(memory_); // a stop for each line, then one for each dot
-        for (const PlotLine& line : lines_.lines) stops.push_back({lines_.points_of(line), line.closed});
-        for (std::int64_t i = 0; i < places.size(); ++i)
-            stops.push_back({places.span().subspan(static_cast<std::size_t>(i), 1), false});
-        for (const Leg& leg : find_tour(memory_, stops.span(), pen_, progress_)) {
-            checks_.count();
-            if (leg.stop < lines_.lines.size()) {
-                forward_line(lines_.path_of(lines_.lines[leg.stop]), leg);
-                continue;
-            }
-            const PageDot& dot = dots_[leg.stop - lines_.lines.size()];
-            pen_ = {dot.x, dot.y};
-            if (track_ != nullptr) track_->draw(pen_lines_.line(dot, pen_of(dot), settings_.shapes, track_->place()));
-            next_.dot(dot);
-        }
-    }
-    void forward_line(PagePath path, const Leg& leg) {
-        const std::size_t count = path.points.size();
-        turned_.clear();
-        if (path.closed) {
-            for (std::size_t i = 0; i < count; ++i)
-                turned_.push_back(path.points[(static_cast<std::size_t>(leg.start) + i) % (count - 1)]);
-            path.points = turned_.span();
-        } else if (leg.reversed) {
-            std::swap(path.begin, path.end);
-            for (std::size_t i = count; i > 0; --i) turned_.push_back(path.points[i - 1]);
-            path.points = turned_.span();
-        }
-        pen_ = place_of(path.points.back());
-        if (track_ != nullptr) track_->draw(pen_lines_.line(path, settings_.shapes.tolerance));
-        next_.path(path);
-    }
-
-    base::Memory& memory_;
-    PageSettings settings_;
-    PageCounts& counts_;
-    PenTrack* track_;
-    const base::Progress& progress_;
-    CancelChecks checks_;
-    Frame frame_; // the drawable part of the page in mm; within a view, clipped to the view's frame
-    PageGroup group_;
-    PlotLines lines_;
-    base::Array<PageDot> dots_;
-    // A closed path rotated to start outside the frame, and the part of a path within the frame.
-    base::Array<PagePoint> ring_, part_;
-    PenLines pen_lines_;
-    base::Array<PagePoint> turned_;
-    glm::dvec2 pen_; // the pen's position, mm
-};
+// The share of the work that lists the groups of a page.
+constexpr double share_of_groups = 0.1;
 
 // ---- Annotations
 
@@ -736,15 +440,6 @@ void lay_out(base::Memory& memory, const Placement& placement, std::span<const P
     sink.end_view();
 }
 
-std::unique_ptr<PageSink> line_types(base::Memory& memory, PageSink& next) {
-    return std::make_unique<DashFilter>(memory, next);
-}
-
-std::unique_ptr<PageSink> plot_order(base::Memory& memory, PageSink& next, const PageSettings& settings,
-                                     PageCounts& counts, PenTrack* track, const base::Progress& progress) {
-    return std::make_unique<PlotOrderFilter>(memory, next, settings, counts, track, progress);
-}
-
 glm::dvec2 page_size(const Page& page, const PageSettings& settings) noexcept {
     glm::dvec2 reach(0.0);
     for (const Placement& placement : page.placements) {
@@ -761,33 +456,50 @@ PageCounts write_page(const base::Work& work, const Page& page, const PageSettin
     const glm::dvec2 size = page_size(page, given);
     info.width = settings.width = size.x;
     info.height = settings.height = size.y;
-    // The pipeline is built from its end: first the writer, then the filters before it.
     base::Memory& memory = work.memory;
-    const std::unique_ptr<PageSink> file = make_writer(memory, writer, info, settings, counts);
-    PenTrack track(counts, settings.plot.speeds, {0.0, size.y});
-    std::unique_ptr<PageSink> sorted;
-    // Writers for plotters track the pen themselves, in their own rounded units.
-    if (settings.in_plot_order || settings.for_plotter())
-        sorted = plot_order(memory, *file, settings, counts, settings.for_plotter() ? nullptr : &track, work);
-    DashFilter dashed(memory, sorted ? *sorted : *file);
-    const auto parts = static_cast<double>(page.placements.size() + 1);
-    double done = 0.0;
+    const bool is_dxf = settings.format == PageFormat::dxf;
+    const bool is_sorted = settings.in_plot_order || settings.for_plotter();
     const bool filled = !settings.without_paper;
     const glm::vec4 paper = page.placements.empty() ? glm::vec4(1.0F) : page.placements[0].drawing->paper;
-    if (filled) { // the page gets the paper of its first drawing, or white
-        dashed.begin_view({{}, {0.0, 0.0, size.x, size.y}, paper, true});
-        dashed.end_view();
+    const auto add_all = [&](PageSink& sink, const base::Work& progress) {
+        const auto parts = static_cast<double>(page.placements.size() + 1);
+        double done = 0.0;
+        if (filled) { // the page gets the paper of its first drawing, or white
+            sink.begin_view({{}, {0.0, 0.0, size.x, size.y}, paper, true});
+            sink.end_view();
+        }
+        for (Placement placement : page.placements) {
+            placement.with_paper = filled && placement.drawing->paper != paper;
+            // Each pen or layer is used only once if lines are sorted for plotting, and in DXF. Then ink is not ordered
+            // from far to near.
+            placement.far_to_near = !is_sorted && !is_dxf;
+            lay_out(memory, placement, page.pens, sink, progress.part(done / parts, (done + 1.0) / parts));
+            done += 1.0;
+            progress.update(done / parts);
+        }
+        add_annotations(memory, page, sink, progress);
+        sink.finish();
+    };
+    base::Array<PageGroup> groups(memory);
+    if (is_dxf) {
+        GroupList list(groups);
+        add_all(list, work.part(0.0, share_of_groups));
+        info.groups = groups.span();
     }
-    for (Placement placement : page.placements) {
-        placement.with_paper = filled && placement.drawing->paper != paper;
-        placement.far_to_near = !sorted; // if lines are sorted for plotting, each pen is used only once, so ink is not
-                                         // ordered from far to near
-        lay_out(memory, placement, page.pens, dashed, work.part(done / parts, (done + 1.0) / parts));
-        done += 1.0;
-        work.update(done / parts);
-    }
-    add_annotations(memory, page, dashed, work);
-    dashed.finish();
+    // The pipeline is built from its end: first the writer, then the filters before it.
+    const std::unique_ptr<PageSink> file = make_writer(memory, writer, info, settings, counts);
+    PenTrack track(counts, settings.plot.speeds, {0.0, size.y}, settings.plot.longest);
+    std::unique_ptr<PageSink> filter;
+    // Writers for plotters track the pen themselves, in their own rounded units.
+    if (is_sorted)
+        filter = plot_order(memory, *file, settings, counts, settings.for_plotter() ? nullptr : &track, work);
+    else if (is_dxf)
+        filter = clip_to_frames(memory, *file, settings);
+    PageSink& next = filter ? *filter : *file;
+    if (is_dxf) // line types are part of the format
+        add_all(next, work.part(share_of_groups, 1.0));
+    else
+        add_all(*line_types(memory, next), work);
     return counts;
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The last stages of the pipeline: writers of SVG and PDF, which write lines as curves, and of HPGL and G-code, which
-// write straight lines.
-#include "output/vector/shapes.h"
-#include "output/vector/text_out.h"
+// The last stages of the pipeline: writers of SVG and PDF, which write lines as curves, and of HPGL and G-code. HPGL
+// has straight lines only. Its arcs have centres and angles in whole units, so they end up to a pen's width off.
+#include "output/vector/curve_writer.h"
 
 #include <algorithm>
 #include <array>
@@ -16,26 +15,6 @@ namespace {
 
 using drawing::Cap;
 using glm::dvec2;
-
-// The base of the writers that write curves.
-class CurveWriter : public PageSink, protected ShapeSink {
-public:
-    void path(const PagePath& path) override {
-        ++counts_.paths;
-        shapes_.shape(path, group_, *this);
-    }
-
-protected:
-    CurveWriter(base::Memory& memory, io::Writer& writer, const ShapeSettings& settings, PageCounts& counts)
-        : out_(writer), settings_(settings), counts_(counts), shapes_(memory, settings) {}
-
-    TextOut out_;
-    ShapeSettings settings_;
-    PageCounts& counts_;
-    Shapes shapes_;
-    PageGroup group_;
-    glm::vec4 paper_{0.0F}; // the colour of the view's paper
-};
 
 // ---- SVG
 
@@ -162,6 +141,22 @@ private:
         else
             command('c', to);
     }
+    void arc_to(const CurvePiece& arc) override {
+        const double radius = glm::distance(arc.centre, arc.end);
+        for_parts(arc, arc_tuning.most_sweep_by_radius, [&](const CurvePiece& part) {
+            const Place to = in_file(part.end);
+            if (1000.0 * radius * (1.0 - std::cos(0.5 * part.sweep)) < straight) {
+                line_to(part.end);
+                return;
+            }
+            if (to.x == at_.x && to.y == at_.y) return;
+            out_ << (letter_ == 'a' ? ' ' : 'a') << radius << ' ' << radius << " 0 0 "
+                 << (part.sweep > 0.0 ? '1' : '0');
+            letter_ = ' ';
+            command(' ', {&to, 1});
+            letter_ = 'a';
+        });
+    }
     void close() override {
         out_ << 'z';
         letter_ = ' ';
@@ -218,16 +213,6 @@ private:
 constexpr double points_of_mm = 72.0 / 25.4;
 // The numbers of the first PDF objects. Groups have the numbers after these.
 enum Object : std::int64_t { content = 1, content_length, catalog, pages, page, information, first_of_groups };
-
-// Decodes the UTF-8 character at text[at] and advances `at` to the next one.
-std::uint32_t next_character(std::string_view text, std::size_t& at) noexcept {
-    const auto lead = static_cast<std::uint8_t>(text[at++]);
-    const std::uint32_t more = lead < 0xC0 ? 0U : lead < 0xE0 ? 1U : lead < 0xF0 ? 2U : 3U;
-    std::uint32_t code = more == 0 ? lead : lead & (0x3FU >> more);
-    for (std::uint32_t i = 0; i < more && at < text.size(); ++i)
-        code = code << 6U | (static_cast<std::uint8_t>(text[at++]) & 0x3FU);
-    return code;
-}
 
 class PdfWriter final : public CurveWriter {
 public:
@@ -401,6 +386,8 @@ private:
         out_ << " c\n";
         ++counts_.segments;
     }
+    // PDF has no arcs, so make_writer() asks for none.
+    void arc_to(const CurvePiece&) override { HRBFNPR_ASSERT(false); }
     void close() override { out_ << "h\n"; }
     void end_shape() override { out_ << (fills_ ? "f\n" : "S\n"); }
 
@@ -504,8 +491,9 @@ public:
           height_(page.height), shapes_(settings.shapes),
           down_(settings.plot.pen_down != nullptr ? settings.plot.pen_down : "G1 Z0"),
           up_(settings.plot.pen_up != nullptr ? settings.plot.pen_up : "G0 Z5"),
-          feed_(60.0 * settings.plot.speeds.draw), counts_(counts), lines_(memory),
-          track_(counts, settings.plot.speeds, {0.0, page.height}) {
+          feed_(60.0 * settings.plot.speeds.draw), counts_(counts), lines_(memory), curves_(memory),
+          is_straight_(!gcode_ || shapes_.curves == Curves::lines),
+          track_(counts, settings.plot.speeds, {0.0, page.height}, settings.plot.longest) {
         if (!gcode_) {
             out_ << "IN;\n";
             return;
@@ -539,11 +527,19 @@ public:
     }
     void path(const PagePath& path) override {
         ++counts_.paths;
-        draw(lines_.line(path, shapes_.tolerance));
+        if (track_.is_too_long(length_of(path.points))) raise();
+        if (is_straight_)
+            draw(lines_.line(path, shapes_.tolerance));
+        else
+            draw(lines_.places(path), path.closed);
     }
     void dot(const PageDot& dot) override {
         ++counts_.dots;
-        draw(lines_.line(dot, pen_width_, shapes_, track_.place()));
+        const std::span<const dvec2> line = lines_.line(dot, pen_width_, shapes_, track_.place());
+        if (is_straight_)
+            draw(line);
+        else
+            draw(line, line.size() > 2 && line.front() == line.back());
     }
     void text(const PageText& text) override {
         if (gcode_) {
@@ -601,7 +597,25 @@ private:
     }
     void draw(std::span<const dvec2> line) {
         HRBFNPR_ASSERT(!line.empty());
-        travel(unit_of(line[0]));
+        lower_at(line[0]);
+        for (const dvec2& p : line.subspan(1)) line_to(p);
+    }
+    // Draws curves through the points.
+    void draw(std::span<const dvec2> points, bool closed) {
+        const CurveLine line = shapes_.curves == Curves::arcs
+                                   ? curves_.fit_arcs(points, shapes_.tolerance, closed)
+                                   : curves_.fit(points, shapes_.tolerance, closed, shapes_.curves);
+        lower_at(line.start);
+        for (const CurvePiece& piece : line.pieces) switch (piece.kind) {
+            case CurvePiece::Kind::line: line_to(piece.end); break;
+            case CurvePiece::Kind::arc:
+                for_parts(piece, arc_tuning.most_sweep_by_centre, [&](const CurvePiece& part) { arc_to(part); });
+                break;
+            case CurvePiece::Kind::cubic: cubic_to(piece); break;
+            }
+    }
+    void lower_at(const dvec2& place) {
+        travel(unit_of(place));
         if (!is_down_) { // the feed rate is set later, because the G-code that lowers the pen may change it
             if (gcode_)
                 write_lines(down_);
@@ -611,30 +625,76 @@ private:
         }
         is_down_ = true;
         track_.draw(on_page(at_));
-        for (const dvec2& p : line.subspan(1)) {
-            const Unit to = unit_of(p);
-            if (to == at_) continue;
-            if (gcode_) {
-                out_ << "G1";
-            } else if (drawn_ > 0) {
-                out_ << (drawn_ % most_pairs == 0 ? ";\nPD" : ",");
-            }
-            write_place(to);
-            if (gcode_ && drawn_ == 0) out_ << " F" << feed_;
-            if (gcode_) out_ << '\n';
-            ++drawn_;
-            track_.draw(on_page(to));
-            at_ = to;
-            ++counts_.segments;
+    }
+    void line_to(const dvec2& p) {
+        const Unit to = unit_of(p);
+        if (to == at_) return;
+        if (gcode_) {
+            out_ << "G1";
+        } else if (drawn_ > 0) {
+            out_ << (drawn_ % most_pairs == 0 ? ";\nPD" : ",");
         }
+        write_place(to);
+        end_move(to, glm::distance(on_page(at_), on_page(to)));
+    }
+    // Writes an arc of at most half a turn. The centre is relative to the pen. The page's y axis points down, so a
+    // positive sweep is clockwise on the paper.
+    void arc_to(const CurvePiece& arc) {
+        const Unit to = unit_of(arc.end), centre = unit_of(arc.centre);
+        const dvec2 from = on_page(at_) - on_page(centre), out = on_page(to) - on_page(centre);
+        const double radius = glm::length(from);
+        // An arc that is so short or flat that rounding decides about it is a line.
+        const double turn = std::atan2(from.x * out.y - from.y * out.x, glm::dot(from, out));
+        if (units_ * radius * (1.0 - std::cos(0.5 * arc.sweep)) < straight ||
+            std::abs(turn) < 0.5 * std::abs(arc.sweep)) {
+            line_to(arc.end);
+            return;
+        }
+        out_ << (arc.sweep > 0.0 ? "G2" : "G3");
+        write_place(to);
+        word('I', centre.x - at_.x);
+        word('J', centre.y - at_.y);
+        end_move(to, radius * std::abs(turn));
+    }
+    // Writes a cubic. The first handle is relative to the pen, and the second one to the end.
+    void cubic_to(const CurvePiece& cubic) {
+        const Unit to = unit_of(cubic.end), first = unit_of(cubic.control_1), second = unit_of(cubic.control_2);
+        const std::array<Place, 2> handles{Place{first.x, first.y}, Place{second.x, second.y}};
+        if (is_straight({at_.x, at_.y}, handles, {to.x, to.y})) {
+            line_to(cubic.end);
+            return;
+        }
+        out_ << "G5";
+        write_place(to);
+        word('I', first.x - at_.x);
+        word('J', first.y - at_.y);
+        word('P', second.x - to.x);
+        word('Q', second.y - to.y);
+        const geometry::Cubic written{on_page(first), on_page(second), on_page(to)};
+        double length = 0.0;
+        constexpr int chords = 16;
+        for (int i = 0; i < chords; ++i)
+            length += glm::distance(geometry::point_on_cubic(on_page(at_), written, i / double{chords}),
+                                    geometry::point_on_cubic(on_page(at_), written, (i + 1) / double{chords}));
+        end_move(to, length);
+    }
+    void end_move(const Unit& to, double length) {
+        if (gcode_ && drawn_ == 0) out_ << " F" << feed_;
+        if (gcode_) out_ << '\n';
+        ++drawn_;
+        track_.draw(on_page(to), length);
+        at_ = to;
+        ++counts_.segments;
     }
 
+    void word(char letter, std::int64_t thousandths) {
+        out_ << ' ' << letter;
+        number(thousandths);
+    }
     void write_place(const Unit& p) {
         if (gcode_) {
-            out_ << " X";
-            number(p.x);
-            out_ << " Y";
-            number(p.y);
+            word('X', p.x);
+            word('Y', p.y);
         } else {
             out_ << p.x << ',' << p.y;
         }
@@ -670,6 +730,8 @@ private:
     double feed_;                // in mm per minute
     PageCounts& counts_;
     PenLines lines_;
+    CurvePieces curves_;
+    bool is_straight_; // whether all moves are straight
     PenTrack track_;
     double pen_width_ = plotter_pen;
     std::uint32_t pen_ = 0; // 0: no pen was selected yet
@@ -684,8 +746,12 @@ private:
 std::unique_ptr<PageSink> make_writer(base::Memory& memory, io::Writer& writer, const PageInfo& page,
                                       const PageSettings& settings, PageCounts& counts) {
     if (settings.for_plotter()) return std::make_unique<PlotterWriter>(memory, writer, page, settings, counts);
-    if (settings.format == PageFormat::pdf)
-        return std::make_unique<PdfWriter>(memory, writer, page, settings.shapes, counts);
+    if (settings.format == PageFormat::dxf) return make_dxf_writer(memory, writer, page, settings, counts);
+    if (settings.format == PageFormat::pdf) {
+        ShapeSettings shapes = settings.shapes;
+        if (shapes.curves == Curves::arcs) shapes.curves = Curves::splines;
+        return std::make_unique<PdfWriter>(memory, writer, page, shapes, counts);
+    }
     return std::make_unique<SvgWriter>(memory, writer, page, settings.shapes, counts);
 }
 

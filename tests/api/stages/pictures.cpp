@@ -307,6 +307,7 @@ void Stages::add_pages(std::vector<Stage>& stages) {
     add_page(stages, "page.pdf", HRBFNPR_PAGE_FORMAT_PDF, 0);
     add_page(stages, "page.hpgl", HRBFNPR_PAGE_FORMAT_HPGL, 0);
     add_page(stages, "page.gcode", HRBFNPR_PAGE_FORMAT_GCODE, 0);
+    add_page(stages, "page.dxf", HRBFNPR_PAGE_FORMAT_DXF, 0);
 }
 
 } // namespace api_test

@@ -462,7 +462,7 @@ namespace HrbfNpr
         internal uint flags;
         internal uint widths;
         internal uint dots;
-        internal uint reserved;
+        internal uint curves;
         internal double width;
         internal double height;
         internal double tolerance;
@@ -487,5 +487,6 @@ namespace HrbfNpr
         internal IntPtr annotations;
         internal long annotation_count;
         internal long annotation_stride;
+        internal double longest;
     }
 }

@@ -34,7 +34,7 @@ def draw(arguments: Any, options: Options, context: Context, report: Reporter) -
     settings = None if not arguments.settings else read_settings(arguments.settings, context)
     unused = [f"--{row.name.replace('_', '-')}" for row in OPTIONS if row.group == "vectors" and row.name in options]
     if unused and not any(map(format_of, outputs)):
-        raise UsageError(f"{', '.join(unused)} is for vectors: name an output .svg, .pdf, .hpgl or .gcode")  # fmt: skip
+        raise UsageError(f"{', '.join(unused)} is for vectors: name an output .svg, .pdf, .hpgl, .gcode or .dxf")  # fmt: skip
     flags = ["TOGETHER"] if any(getattr(arguments, name) for name in _NEED_ONE_SURFACE) else []
     flags += ["KEEP_MARKS"] if arguments.save_points else []
     scene = scene_of(

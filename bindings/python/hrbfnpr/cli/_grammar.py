@@ -21,7 +21,7 @@ VIEWS = {
 }  # fmt: skip
 SHEET_VIEWS = ("front", "back", "left", "right", "top", "bottom", "iso")
 SMOOTH = ("ridges", "valleys", "suggestive")
-_TITLES = {"vectors": "for outputs .svg, .pdf, .hpgl (.plt) and .gcode (.nc, .ngc)"}
+_TITLES = {"vectors": "for outputs .svg, .pdf, .hpgl (.plt), .gcode (.nc, .ngc) and .dxf"}
 _DRAWING_GROUPS = ("", "style", "camera", "marks", "fit", "samples", "vectors")
 _SURFACE_GROUPS = ("fit", "samples")
 
@@ -120,7 +120,7 @@ def _add_common(parser: Parser) -> None:
 
 
 def _add_output(parser: Parser, ending: str, what: str = "file of the picture, or of vectors if the command draws them (.svg, "
-                ".pdf, .hpgl, .gcode)") -> None:  # fmt: skip
+                ".pdf, .hpgl, .gcode, .dxf)") -> None:  # fmt: skip
     words = f"{what} (default: the name of INPUT with {ending})"
     parser.add_argument("output", metavar="OUTPUT", nargs="?", help=words)
     parser.add_argument("-o", "--output", dest="output_option", metavar="OUTPUT", help="the output, given as an option")
@@ -261,7 +261,7 @@ def build() -> Parser:
         _add_groups(turn, ("", "style", "camera", "marks", *_SURFACE_GROUPS), without=("size",))
 
     def add_views(views: Parser) -> None:
-        _add_output(views, "-views.svg", "file of the sheet (.svg, .pdf, .hpgl, .gcode)")
+        _add_output(views, "-views.svg", "file of the sheet (.svg, .pdf, .hpgl, .gcode, .dxf)")
         _add_views(views)
         _add_groups(views, _SURFACE_GROUPS)
 

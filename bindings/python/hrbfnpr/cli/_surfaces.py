@@ -111,7 +111,7 @@ def views(arguments: Any, options: Options, context: Context, report: Reporter) 
     """Draw the views and sections and write the sheet."""
     output = Path(arguments.output_option or arguments.output or Path(arguments.input).stem + "-views.svg")
     if format_of(output) is None:
-        raise ValueError(f"{output}: a sheet of views is a vector file: use .svg, .pdf, .hpgl or .gcode")
+        raise ValueError(f"{output}: a sheet of views is a vector file: use .svg, .pdf, .hpgl, .gcode or .dxf")
     check_drawing(output)
     scene = surface_of(arguments, options, context, report, "a point set; views need a mesh, points or a model")
     desc, keep = _views_desc(arguments, scene, str(format_of(output)))
