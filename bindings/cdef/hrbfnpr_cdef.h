@@ -257,15 +257,15 @@ hrbfnpr_status hrbfnpr_point_set_step_patches(hrbfnpr_context* context, const hr
 hrbfnpr_status hrbfnpr_point_set_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
     hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
-    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
-enum { HRBFNPR_LINE_KIND_CONTOUR = 1, HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR = 2, HRBFNPR_LINE_KIND_RIDGE = 3,
-    HRBFNPR_LINE_KIND_VALLEY = 4, HRBFNPR_LINE_KIND_APPARENT_RIDGE = 5, HRBFNPR_LINE_KIND_PARABOLIC = 6,
-    HRBFNPR_LINE_KIND_ISOPHOTE = 7, HRBFNPR_LINE_KIND_SECTION = 8, HRBFNPR_LINE_KIND_BORDER = 9,
-    HRBFNPR_LINE_KIND_OWN = 10, HRBFNPR_LINE_KIND_CREASE = 11, HRBFNPR_LINE_KIND_SHADOW = 12,
-    HRBFNPR_LINE_KIND_TERMINATOR = 13, HRBFNPR_LINE_KIND_SOFT_EDGE = 14 }; typedef struct hrbfnpr_line_desc {
-    uint32_t struct_size; uint32_t kind; const char* name; double lower; double upper; double shortest; double plane[3];
-    hrbfnpr_array levels; hrbfnpr_array position; hrbfnpr_array line_first; } hrbfnpr_line_desc;
-hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size);
+    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error); enum { HRBFNPR_LINE_KIND_CONTOUR = 1,
+    HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR = 2, HRBFNPR_LINE_KIND_RIDGE = 3, HRBFNPR_LINE_KIND_VALLEY = 4,
+    HRBFNPR_LINE_KIND_APPARENT_RIDGE = 5, HRBFNPR_LINE_KIND_PARABOLIC = 6, HRBFNPR_LINE_KIND_ISOPHOTE = 7,
+    HRBFNPR_LINE_KIND_SECTION = 8, HRBFNPR_LINE_KIND_BORDER = 9, HRBFNPR_LINE_KIND_OWN = 10,
+    HRBFNPR_LINE_KIND_CREASE = 11, HRBFNPR_LINE_KIND_SHADOW = 12, HRBFNPR_LINE_KIND_TERMINATOR = 13,
+    HRBFNPR_LINE_KIND_SOFT_EDGE = 14, HRBFNPR_LINE_KIND_INTERSECTION = 15, HRBFNPR_LINE_KIND_TANGENT_EDGE = 16 };
+typedef struct hrbfnpr_line_desc { uint32_t struct_size; uint32_t kind; const char* name; double lower; double upper;
+    double shortest; double plane[3]; hrbfnpr_array levels; hrbfnpr_array position; hrbfnpr_array line_first;
+    } hrbfnpr_line_desc; hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size);
 enum { HRBFNPR_LINE_SET_WITH_CURVATURE = 1 };
 typedef struct hrbfnpr_line_set_desc { uint32_t struct_size; uint32_t flags; double cell_size;
     hrbfnpr_array seed_points; const hrbfnpr_line_desc* lines; int64_t line_count; int64_t line_stride; double support;
@@ -480,7 +480,7 @@ hrbfnpr_status hrbfnpr_mesh_sample(const hrbfnpr_mesh* mesh, const hrbfnpr_sampl
     const hrbfnpr_array_out* points, const hrbfnpr_array_out* normals, hrbfnpr_operation* operation,
     hrbfnpr_error* error); enum { HRBFNPR_EDGES_AUTO = 0, HRBFNPR_EDGES_SMOOTH = 1, HRBFNPR_EDGES_SHARP = 2 };
 typedef struct hrbfnpr_mesh_edges_desc { uint32_t struct_size; uint32_t edges; double crease_angle; double far;
-    } hrbfnpr_mesh_edges_desc;
+    uint32_t tangent; uint32_t reserved; } hrbfnpr_mesh_edges_desc;
 hrbfnpr_status hrbfnpr_mesh_edges_desc_init(hrbfnpr_mesh_edges_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_mesh_edges_info { uint32_t struct_size; uint32_t reserved; int64_t edges; int64_t patches;
     double length; double fading; double doubtful; double seconds; } hrbfnpr_mesh_edges_info;
@@ -517,9 +517,10 @@ hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* info, uint32_t 
 hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_fit_desc* desc,
     const hrbfnpr_fit_desc* fit, hrbfnpr_mesh_fit_info* info, hrbfnpr_operation* operation, hrbfnpr_model** out_model,
     hrbfnpr_error* error); enum { HRBFNPR_PAGE_FORMAT_SVG = 0, HRBFNPR_PAGE_FORMAT_PDF = 1,
-    HRBFNPR_PAGE_FORMAT_HPGL = 2, HRBFNPR_PAGE_FORMAT_GCODE = 3 };
+    HRBFNPR_PAGE_FORMAT_HPGL = 2, HRBFNPR_PAGE_FORMAT_GCODE = 3, HRBFNPR_PAGE_FORMAT_DXF = 4 };
 enum { HRBFNPR_WIDTHS_OUTLINES = 0, HRBFNPR_WIDTHS_CLASSES = 1 };
 enum { HRBFNPR_DOT_SHAPE_CIRCLES = 0, HRBFNPR_DOT_SHAPE_LINES = 1, HRBFNPR_DOT_SHAPE_SPIRALS = 2 };
+enum { HRBFNPR_CURVES_ARCS = 0, HRBFNPR_CURVES_SPLINES = 1, HRBFNPR_CURVES_LINES = 2 };
 enum { HRBFNPR_PAGE_IN_PLOT_ORDER = 1, HRBFNPR_PAGE_SINGLE_PASS = 4, HRBFNPR_PAGE_WITHOUT_PAPER = 2 };
 enum { HRBFNPR_LINE_TYPE_AS_DRAWN = 0, HRBFNPR_LINE_TYPE_CONTINUOUS = 1, HRBFNPR_LINE_TYPE_DASHED = 2,
     HRBFNPR_LINE_TYPE_DASHED_SPACED = 3, HRBFNPR_LINE_TYPE_LONG_DASHED_DOTTED = 4,
@@ -539,16 +540,17 @@ typedef struct hrbfnpr_annotation { uint32_t struct_size; uint32_t line_type; co
     hrbfnpr_array points; double width; float ink[4]; } hrbfnpr_annotation;
 hrbfnpr_status hrbfnpr_annotation_init(hrbfnpr_annotation* annotation, uint32_t struct_size);
 typedef struct hrbfnpr_page_desc { uint32_t struct_size; uint32_t format; uint32_t flags; uint32_t widths;
-    uint32_t dots; uint32_t reserved; double width; double height; double tolerance; double width_step; double join;
+    uint32_t dots; uint32_t curves; double width; double height; double tolerance; double width_step; double join;
     double shortest; double dot_distance; double draw_speed; double travel_speed; double pen_seconds;
     const char* pen_down; const char* pen_up; const char* title; const char* description; const char* metadata;
     const hrbfnpr_page_item* items; int64_t item_count; int64_t item_stride; const hrbfnpr_pen* pens; int64_t pen_count;
     int64_t pen_stride; const hrbfnpr_annotation* annotations; int64_t annotation_count; int64_t annotation_stride;
-    } hrbfnpr_page_desc; hrbfnpr_status hrbfnpr_page_desc_init(hrbfnpr_page_desc* desc, uint32_t struct_size);
-typedef struct hrbfnpr_page_info { uint32_t struct_size; uint32_t reserved; int64_t bytes; int64_t groups;
-    int64_t paths; int64_t segments; int64_t dots; int64_t joined; int64_t dropped_paths; int64_t dropped_dots;
-    double width; double height; double drawn; double travelled; double seconds; int64_t filled_paths;
-    } hrbfnpr_page_info; hrbfnpr_status hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint32_t struct_size);
+    double longest; } hrbfnpr_page_desc;
+hrbfnpr_status hrbfnpr_page_desc_init(hrbfnpr_page_desc* desc, uint32_t struct_size); typedef struct hrbfnpr_page_info {
+    uint32_t struct_size; uint32_t reserved; int64_t bytes; int64_t groups; int64_t paths; int64_t segments;
+    int64_t dots; int64_t joined; int64_t dropped_paths; int64_t dropped_dots; double width; double height;
+    double drawn; double travelled; double seconds; int64_t filled_paths; int64_t cut_paths; } hrbfnpr_page_info;
+hrbfnpr_status hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_page_write(hrbfnpr_context* context, const hrbfnpr_page_desc* desc, hrbfnpr_write_fn write,
     void* user, hrbfnpr_page_info* info, hrbfnpr_operation* operation, hrbfnpr_error* error);
 typedef struct hrbfnpr_picture hrbfnpr_picture; typedef struct hrbfnpr_settings hrbfnpr_settings;
@@ -685,10 +687,11 @@ hrbfnpr_status hrbfnpr_picture_write_settings(hrbfnpr_picture* picture, hrbfnpr_
     HRBFNPR_VIEWS_UNIT_IS_METRE = 4, HRBFNPR_VIEWS_VERIFY = 8 };
 enum { HRBFNPR_VIEWS_ANGLE_FIRST = 0, HRBFNPR_VIEWS_ANGLE_THIRD = 1 };
 enum { HRBFNPR_VIEWS_HIDDEN_DASHED = 0, HRBFNPR_VIEWS_HIDDEN_NONE = 1, HRBFNPR_VIEWS_HIDDEN_SHOWN = 2 };
+enum { HRBFNPR_VIEWS_TANGENT_SHORT = 0, HRBFNPR_VIEWS_TANGENT_THIN = 1, HRBFNPR_VIEWS_TANGENT_NONE = 2 };
 typedef struct hrbfnpr_views_desc { uint32_t struct_size; uint32_t flags; uint32_t projection; uint32_t hidden;
     const char* views; const char* sections; const char* paper; const char* scale; const char* smooth;
     const char* title; const char* model; double unit_mm; double crease_angle; double line_width; double hatch_spacing;
-    double spacing; const hrbfnpr_page_desc* page; } hrbfnpr_views_desc;
+    double spacing; const hrbfnpr_page_desc* page; uint32_t tangent; uint32_t reserved; } hrbfnpr_views_desc;
 hrbfnpr_status hrbfnpr_views_desc_init(hrbfnpr_views_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_views_info { uint32_t struct_size; uint32_t reserved; int64_t views; int64_t bytes; double width;
     double height; double scale; double unit_mm; char scale_text[64]; char paper[64]; int64_t pieces; int64_t agreeing;

@@ -258,15 +258,15 @@ hrbfnpr_status hrbfnpr_point_set_step_patches(hrbfnpr_context* context, const hr
 hrbfnpr_status hrbfnpr_point_set_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
     hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
-    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
-enum { HRBFNPR_LINE_KIND_CONTOUR = 1, HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR = 2, HRBFNPR_LINE_KIND_RIDGE = 3,
-    HRBFNPR_LINE_KIND_VALLEY = 4, HRBFNPR_LINE_KIND_APPARENT_RIDGE = 5, HRBFNPR_LINE_KIND_PARABOLIC = 6,
-    HRBFNPR_LINE_KIND_ISOPHOTE = 7, HRBFNPR_LINE_KIND_SECTION = 8, HRBFNPR_LINE_KIND_BORDER = 9,
-    HRBFNPR_LINE_KIND_OWN = 10, HRBFNPR_LINE_KIND_CREASE = 11, HRBFNPR_LINE_KIND_SHADOW = 12,
-    HRBFNPR_LINE_KIND_TERMINATOR = 13, HRBFNPR_LINE_KIND_SOFT_EDGE = 14 }; typedef struct hrbfnpr_line_desc {
-    uint32_t struct_size; uint32_t kind; const char* name; double lower; double upper; double shortest; double plane[3];
-    hrbfnpr_array levels; hrbfnpr_array position; hrbfnpr_array line_first; } hrbfnpr_line_desc;
-hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size);
+    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error); enum { HRBFNPR_LINE_KIND_CONTOUR = 1,
+    HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR = 2, HRBFNPR_LINE_KIND_RIDGE = 3, HRBFNPR_LINE_KIND_VALLEY = 4,
+    HRBFNPR_LINE_KIND_APPARENT_RIDGE = 5, HRBFNPR_LINE_KIND_PARABOLIC = 6, HRBFNPR_LINE_KIND_ISOPHOTE = 7,
+    HRBFNPR_LINE_KIND_SECTION = 8, HRBFNPR_LINE_KIND_BORDER = 9, HRBFNPR_LINE_KIND_OWN = 10,
+    HRBFNPR_LINE_KIND_CREASE = 11, HRBFNPR_LINE_KIND_SHADOW = 12, HRBFNPR_LINE_KIND_TERMINATOR = 13,
+    HRBFNPR_LINE_KIND_SOFT_EDGE = 14, HRBFNPR_LINE_KIND_INTERSECTION = 15, HRBFNPR_LINE_KIND_TANGENT_EDGE = 16 };
+typedef struct hrbfnpr_line_desc { uint32_t struct_size; uint32_t kind; const char* name; double lower; double upper;
+    double shortest; double plane[3]; hrbfnpr_array levels; hrbfnpr_array position; hrbfnpr_array line_first;
+    } hrbfnpr_line_desc; hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size);
 enum { HRBFNPR_LINE_SET_WITH_CURVATURE = 1 };
 typedef struct hrbfnpr_line_set_desc { uint32_t struct_size; uint32_t flags; double cell_size;
     hrbfnpr_array seed_points; const hrbfnpr_line_desc* lines; int64_t line_count; int64_t line_stride; double support;
@@ -481,7 +481,7 @@ hrbfnpr_status hrbfnpr_mesh_sample(const hrbfnpr_mesh* mesh, const hrbfnpr_sampl
     const hrbfnpr_array_out* points, const hrbfnpr_array_out* normals, hrbfnpr_operation* operation,
     hrbfnpr_error* error); enum { HRBFNPR_EDGES_AUTO = 0, HRBFNPR_EDGES_SMOOTH = 1, HRBFNPR_EDGES_SHARP = 2 };
 typedef struct hrbfnpr_mesh_edges_desc { uint32_t struct_size; uint32_t edges; double crease_angle; double far;
-    } hrbfnpr_mesh_edges_desc;
+    uint32_t tangent; uint32_t reserved; } hrbfnpr_mesh_edges_desc;
 hrbfnpr_status hrbfnpr_mesh_edges_desc_init(hrbfnpr_mesh_edges_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_mesh_edges_info { uint32_t struct_size; uint32_t reserved; int64_t edges; int64_t patches;
     double length; double fading; double doubtful; double seconds; } hrbfnpr_mesh_edges_info;
@@ -688,10 +688,11 @@ hrbfnpr_status hrbfnpr_picture_write_settings(hrbfnpr_picture* picture, hrbfnpr_
     HRBFNPR_VIEWS_UNIT_IS_METRE = 4, HRBFNPR_VIEWS_VERIFY = 8 };
 enum { HRBFNPR_VIEWS_ANGLE_FIRST = 0, HRBFNPR_VIEWS_ANGLE_THIRD = 1 };
 enum { HRBFNPR_VIEWS_HIDDEN_DASHED = 0, HRBFNPR_VIEWS_HIDDEN_NONE = 1, HRBFNPR_VIEWS_HIDDEN_SHOWN = 2 };
+enum { HRBFNPR_VIEWS_TANGENT_SHORT = 0, HRBFNPR_VIEWS_TANGENT_THIN = 1, HRBFNPR_VIEWS_TANGENT_NONE = 2 };
 typedef struct hrbfnpr_views_desc { uint32_t struct_size; uint32_t flags; uint32_t projection; uint32_t hidden;
     const char* views; const char* sections; const char* paper; const char* scale; const char* smooth;
     const char* title; const char* model; double unit_mm; double crease_angle; double line_width; double hatch_spacing;
-    double spacing; const hrbfnpr_page_desc* page; } hrbfnpr_views_desc;
+    double spacing; const hrbfnpr_page_desc* page; uint32_t tangent; uint32_t reserved; } hrbfnpr_views_desc;
 hrbfnpr_status hrbfnpr_views_desc_init(hrbfnpr_views_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_views_info { uint32_t struct_size; uint32_t reserved; int64_t views; int64_t bytes; double width;
     double height; double scale; double unit_mm; char scale_text[64]; char paper[64]; int64_t pieces; int64_t agreeing;

@@ -54,6 +54,9 @@ inline constexpr hrbfnpr_line_style hatch_lines[] = {
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.1F; to.outline_factor = 1.0F;
         to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_INTERSECTION; to.width = 1.4F; to.outline_factor = 1.0F;
     })};
 
 // ---- cross-hatch
@@ -103,6 +106,9 @@ inline constexpr hrbfnpr_line_style cross_hatch_lines[] = {
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.1F; to.outline_factor = 1.0F;
         to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_INTERSECTION; to.width = 1.4F; to.outline_factor = 1.0F;
     })};
 
 // ---- combing
@@ -144,6 +150,9 @@ inline constexpr hrbfnpr_line_style combing_lines[] = {
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.1F; to.outline_factor = 1.0F;
         to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_INTERSECTION; to.width = 1.4F; to.outline_factor = 1.0F;
     })};
 
 // ---- silhouette
@@ -164,6 +173,10 @@ inline constexpr hrbfnpr_line_style silhouette_lines[] = {
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.5F; to.hidden = HRBFNPR_HIDDEN_PARTS_NONE;
         to.outline_factor = 1.0F; to.far_factor = 0.45F; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_INTERSECTION; to.width = 1.8F; to.hidden = HRBFNPR_HIDDEN_PARTS_ATTENUATED;
+        to.outline_factor = 1.0F; to.far_factor = 0.45F;
     })};
 
 // ---- contour-and-stipple
@@ -181,6 +194,9 @@ inline constexpr hrbfnpr_line_style contour_and_stipple_lines[] = {
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.1F; to.outline_factor = 1.0F;
         to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_INTERSECTION; to.width = 1.4F; to.outline_factor = 1.0F;
     })};
 
 // ---- xray
@@ -196,6 +212,10 @@ inline constexpr hrbfnpr_line_style xray_lines[] = {
     }),
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.4F; to.hidden = HRBFNPR_HIDDEN_PARTS_DASHED;
+        to.outline_factor = 1.0F;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_INTERSECTION; to.width = 1.4F; to.hidden = HRBFNPR_HIDDEN_PARTS_DASHED;
         to.outline_factor = 1.0F;
     })};
 
@@ -239,6 +259,9 @@ inline constexpr hrbfnpr_line_style full_lines[] = {
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.1F; to.outline_factor = 1.0F;
         to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_INTERSECTION; to.width = 1.4F; to.outline_factor = 1.0F;
     })};
 
 // ---- engraving
@@ -262,6 +285,9 @@ inline constexpr hrbfnpr_line_style engraving_lines[] = {
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.1F; to.outline_factor = 1.0F;
         to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_INTERSECTION; to.width = 1.4F; to.outline_factor = 1.0F;
     })};
 
 // ---- etching
@@ -305,6 +331,9 @@ inline constexpr hrbfnpr_line_style etching_lines[] = {
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 1.1F; to.outline_factor = 1.0F;
         to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_INTERSECTION; to.width = 1.4F; to.outline_factor = 1.0F;
     })};
 
 // ---- woodcut
@@ -330,6 +359,9 @@ inline constexpr hrbfnpr_line_style woodcut_lines[] = {
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 2.2F; to.outline_factor = 1.0F; to.far_factor = 0.45F;
         to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.taper = 24.0F; to.lower = 15.0; to.upper = 60.0;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_INTERSECTION; to.width = 3.0F; to.outline_factor = 1.0F; to.far_factor = 0.45F;
     })};
 
 // ---- scientific-stipple
@@ -355,6 +387,10 @@ inline constexpr hrbfnpr_line_style scientific_stipple_lines[] = {
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_SOFT_EDGE; to.width = 0.7F; to.outline_factor = 1.0F; to.lit_factor = 0.55F;
         to.taper = 24.0F; to.hidden = HRBFNPR_HIDDEN_PARTS_NONE; to.lower = 15.0; to.upper = 60.0;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_INTERSECTION; to.width = 0.9F; to.outline_factor = 1.0F; to.lit_factor = 0.55F;
+        to.taper = 16.0F;
     })};
 
 // ---- sketch
@@ -417,6 +453,12 @@ inline constexpr hrbfnpr_line_style sketch_lines[] = {
         to.lit_factor = 0.6F; to.far_factor = 0.45F; to.wobble = 0.7F; to.wobble_width = 0.35F;
         to.wobble_length = 46.0F; to.wobble_seed = 4;
         to.ink[0] = 0.2F; to.ink[1] = 0.2F; to.ink[2] = 0.22F; to.ink[3] = 1.0F; to.lower = 15.0; to.upper = 60.0;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_INTERSECTION; to.width = 1.6F; to.cap = HRBFNPR_CAP_POINTED; to.taper = 30.0F;
+        to.lit_factor = 0.6F; to.far_factor = 0.45F; to.wobble = 0.7F; to.wobble_width = 0.35F;
+        to.wobble_length = 46.0F; to.wobble_seed = 3;
+        to.ink[0] = 0.2F; to.ink[1] = 0.2F; to.ink[2] = 0.22F; to.ink[3] = 1.0F;
     })};
 
 // ---- blueprint
@@ -448,6 +490,11 @@ inline constexpr hrbfnpr_line_style blueprint_lines[] = {
         to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.1F; to.outline_factor = 1.0F;
         to.hidden = HRBFNPR_HIDDEN_PARTS_DASHED; to.hidden_width = 0.8F; to.taper = 0.0F;
         to.ink[0] = 0.91F; to.ink[1] = 0.95F; to.ink[2] = 1.0F; to.ink[3] = 1.0F;
+    }),
+    changed(default_line_style(), [](auto& to) {
+        to.kind = HRBFNPR_LINE_KIND_INTERSECTION; to.width = 1.1F; to.outline_factor = 1.0F;
+        to.hidden = HRBFNPR_HIDDEN_PARTS_DASHED; to.hidden_width = 0.8F; to.taper = 0.0F;
+        to.ink[0] = 0.91F; to.ink[1] = 0.95F; to.ink[2] = 1.0F; to.ink[3] = 1.0F;
     })};
 
 // ---- archaeological
@@ -472,7 +519,8 @@ inline constexpr hrbfnpr_line_style archaeological_lines[] = {
     changed(default_line_style(), [](auto& to) {
         to.kind = HRBFNPR_LINE_KIND_RIDGE; to.width = 1.2F; to.taper = 20.0F; to.shortest = 12.0F;
     }),
-    changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.2F; })};
+    changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.2F; }),
+    changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_INTERSECTION; to.width = 1.2F; })};
 
 // ---- All named styles, in the order of their numbers
 

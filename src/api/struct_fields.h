@@ -401,7 +401,8 @@ inline constexpr FieldLayout fields_of_hrbfnpr_sample_desc[] = {
 #undef RECORD
 #define RECORD hrbfnpr_mesh_edges_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_mesh_edges_desc[] = {
-    FIELD(struct_size, "uint32_t"), FIELD(edges, "uint32_t"), FIELD(crease_angle, "double"), FIELD(far, "double")};
+    FIELD(struct_size, "uint32_t"), FIELD(edges, "uint32_t"), FIELD(crease_angle, "double"), FIELD(far, "double"),
+    FIELD(tangent, "uint32_t"), FIELD(reserved, "uint32_t")};
 #undef RECORD
 #define RECORD hrbfnpr_mesh_edges_info
 inline constexpr FieldLayout fields_of_hrbfnpr_mesh_edges_info[] = {
@@ -568,7 +569,8 @@ inline constexpr FieldLayout fields_of_hrbfnpr_views_desc[] = {
     FIELD(views, "const char*"), FIELD(sections, "const char*"), FIELD(paper, "const char*"),
     FIELD(scale, "const char*"), FIELD(smooth, "const char*"), FIELD(title, "const char*"), FIELD(model, "const char*"),
     FIELD(unit_mm, "double"), FIELD(crease_angle, "double"), FIELD(line_width, "double"),
-    FIELD(hatch_spacing, "double"), FIELD(spacing, "double"), FIELD(page, "const hrbfnpr_page_desc*")};
+    FIELD(hatch_spacing, "double"), FIELD(spacing, "double"), FIELD(page, "const hrbfnpr_page_desc*"),
+    FIELD(tangent, "uint32_t"), FIELD(reserved, "uint32_t")};
 #undef RECORD
 #define RECORD hrbfnpr_views_info
 inline constexpr FieldLayout fields_of_hrbfnpr_views_info[] = {

@@ -1130,7 +1130,7 @@ class LinesFields:
     Attributes
     ----------
     kind : str
-        "ridge", "valley", "parabolic", "section", "own" or "soft_edge".
+        "ridge", "valley", "parabolic", "section", "own", "soft_edge" or "tangent_edge".
     name : str
         The name by which `LineStyle.name` refers to the lines.
     lower : float

@@ -639,10 +639,22 @@ export declare const LINE_KIND: {
    * have none. `fade` of a line style makes the line narrower and not paler
    */
   readonly SOFT_EDGE: 14;
+  /**
+   * curves in which the surface of the item crosses that of another item with a line set. If both items draw them,
+   * they are lines of the item with the smaller mesh cells. Parts of one model meet in CREASEs. Strength: the mean
+   * angle between both surfaces along a curve, in degrees; `upper` and `fade` have no effect
+   */
+  readonly INTERSECTION: 15;
+  /**
+   * edges of a part along which two surfaces touch without a kink, such as those of a fillet; once. The caller
+   * gives them as polylines, as OWN. hrbfnpr_mesh_edges finds them in a mesh
+   */
+  readonly TANGENT_EDGE: 16;
 };
 /** The constants of LINE_KIND, as options spell them. */
 export type LineKindName = "contour" | "suggestive-contour" | "ridge" | "valley" | "apparent-ridge" | "parabolic" |
-  "isophote" | "section" | "border" | "own" | "crease" | "shadow" | "terminator" | "soft-edge";
+  "isophote" | "section" | "border" | "own" | "crease" | "shadow" | "terminator" | "soft-edge" | "intersection" |
+  "tangent-edge";
 
 /** What a line set measures. */
 export declare const LINE_SET_WITH: {
@@ -1067,8 +1079,8 @@ export type VertexAttributeName = "position" | "window" | "radius" | "color" | "
 /**
  * Which components of a mesh are kept.  Faces that share vertices belong to one component.
  * With ALL and SOLIDS, a closed component inside an odd number of closed ones is the wall of a cavity, and its
- * faces are
- * turned into the cavity.  One inside an even number is a solid.
+ * faces
+ * are turned into the cavity.  One inside an even number is a solid.
  */
 export declare const PARTS: {
   /** keeps all components except those inside a closed one, such as eyes in a head or inner shells */
@@ -1134,11 +1146,17 @@ export declare const PAGE_FORMAT: {
   readonly PDF: 1;
   /** HPGL for plotters: absolute coordinates, 40 units per mm, y up from the lower left corner */
   readonly HPGL: 2;
-  /** G-code for plotters: G0 and G1 in mm, y up from the lower left corner */
+  /** G-code for plotters: G0 to G3 in mm, y up from the lower left corner */
   readonly GCODE: 3;
+  /**
+   * DXF of AutoCAD 2004 (AC1018) in mm, y up from the lower left corner, with groups as layers. There is no paper,
+   * and ink is cut off at the edges of drawings. Strokes of varying width become polylines with a width at each
+   * point, and their outlines are not written. Dots become circles or, as LINES, points
+   */
+  readonly DXF: 4;
 };
 /** The constants of PAGE_FORMAT, as options spell them. */
-export type PageFormatName = "svg" | "pdf" | "hpgl" | "gcode";
+export type PageFormatName = "svg" | "pdf" | "hpgl" | "gcode" | "dxf";
 
 /** How strokes are written whose width varies. */
 export declare const WIDTHS: {
@@ -1161,6 +1179,21 @@ export declare const DOT_SHAPE: {
 };
 /** The constants of DOT_SHAPE, as options spell them. */
 export type DotShapeName = "circles" | "lines" | "spirals";
+
+/** How the curves of lines of one width are written.  HPGL has straight lines only. */
+export declare const CURVES: {
+  /**
+   * arcs of circles where lines consist of them: A in SVG, ARC, CIRCLE and bulges in DXF. Other curves are as with
+   * SPLINES. GCODE has arcs (G2, G3) and straight lines only, and PDF has no arcs
+   */
+  readonly ARCS: 0;
+  /** cubic Bezier curves: SPLINE in DXF, G5 in GCODE */
+  readonly SPLINES: 1;
+  /** straight lines, for programs and machines that have neither arcs nor splines */
+  readonly LINES: 2;
+};
+/** The constants of CURVES, as options spell them. */
+export type CurvesName = "arcs" | "splines" | "lines";
 
 /** Options of a page. */
 export declare const PAGE: {
@@ -1661,5 +1694,24 @@ export declare const VIEWS_HIDDEN: {
 };
 /** The constants of VIEWS_HIDDEN, as options spell them. */
 export type ViewsHiddenName = "dashed" | "none" | "shown";
+
+/**
+ * How tangent edges are drawn, along which two surfaces of a part touch without a kink, such as those of a
+ * fillet.
+ * They are continuous thin lines; hidden ones are not drawn.
+ */
+export declare const VIEWS_TANGENT: {
+  /**
+   * tangent edges end three widths of an outline before the lines that they would touch, as ISO 128-3 asks of the
+   * lines of rounded edges; short ones end a quarter of their length before
+   */
+  readonly SHORT: 0;
+  /** tangent edges go up to the lines that they touch */
+  readonly THIN: 1;
+  /** tangent edges are not drawn */
+  readonly NONE: 2;
+};
+/** The constants of VIEWS_TANGENT, as options spell them. */
+export type ViewsTangentName = "short" | "thin" | "none";
 
 export declare const GROUPS: Readonly<Record<string, Readonly<Record<string, number>>>>;

@@ -1447,9 +1447,8 @@ export interface Functions {
    * from 0
    * in the order of their first faces.  `sharp` is m x 3, of the same types: it gets 1 if the edge from corner k
    * of the
-   * face to the next corner is sharp, else 0.  `patch`, `sharp`, `desc`, `info` and `operation` may be NULL.  The
-   * call
-   * only reads the mesh, so several threads may make it at the same time.
+   * face to the next corner is sharp, 2 if it is a tangent edge, else 0.  `patch`, `sharp`, `desc`, `info` and
+   * `operation` may be NULL.  The call only reads the mesh, so several threads may make it at the same time.
    * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
    */
   hrbfnpr_mesh_edges(mesh: Pointer, desc: Pointer, patch: Pointer, sharp: Pointer, info: Pointer, operation: Pointer, error: Pointer): number;
@@ -1583,7 +1582,7 @@ export interface Functions {
    * largest group.  `info` and `operation` may be NULL.
    * Errors: INVALID_ARGUMENT (no drawing and no annotation; an empty page; a text that is not UTF-8; a drawing
    * with
-   * VISIBILITY_PUBLISHED, which has discs of paper, for plotters or in plot order), IO (`write` failed),
+   * VISIBILITY_PUBLISHED, which has discs of paper, for plotters, in DXF or in plot order), IO (`write` failed),
    * OUT_OF_MEMORY,
    * CANCELLED, CALLBACK.
    */
@@ -1661,7 +1660,7 @@ export interface Functions {
    * values farther from the inner 96 % than a quarter of the range of these.  "-quality" turns this round.
    * A colour in place of a number is its luminance, as in HRBFNPR_FIELD_SOURCE_IMAGE.  An ink_field without a
    * palette
-   * gets one of three inks, which a note names.
+   * gets one of three inks, or of up to eight if there are no more hues; a note names them.
    *
    * Errors: INVALID_ARGUMENT (a field of `desc`; a source that cannot be drawn), SINGULAR_SYSTEM, NOT_CONVERGED,
    * OUT_OF_MEMORY, CANCELLED, CALLBACK.

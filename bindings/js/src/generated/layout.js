@@ -662,10 +662,11 @@ export const STRUCTS = {
     candidates: ["i64", 8],
     randomSeed: ["u64", 16],
   } },
-  hrbfnpr_mesh_edges_desc: { size: 24, sized: true, fields: {
+  hrbfnpr_mesh_edges_desc: { size: 32, sized: true, fields: {
     edges: ["u32", 4, 0, "EDGES"],
     creaseAngle: ["f64", 8],
     far: ["f64", 16],
+    tangent: ["u32", 24],
   } },
   hrbfnpr_mesh_edges_info: { size: 56, sized: true, fields: {
     edges: ["i64", 8],
@@ -765,11 +766,12 @@ export const STRUCTS = {
     width: ["f64", 48],
     ink: ["f32", 56, 4],
   } },
-  hrbfnpr_page_desc: { size: 192, sized: true, fields: {
+  hrbfnpr_page_desc: { size: 200, sized: true, fields: {
     format: ["u32", 4, 0, "PAGE_FORMAT"],
     flags: ["u32", 8],
     widths: ["u32", 12, 0, "WIDTHS"],
     dots: ["u32", 16, 0, "DOT_SHAPE"],
+    curves: ["u32", 20, 0, "CURVES"],
     width: ["f64", 24],
     height: ["f64", 32],
     tolerance: ["f64", 40],
@@ -788,8 +790,9 @@ export const STRUCTS = {
     items: ["list", 124, "hrbfnpr_page_item", 128, 136],
     pens: ["list", 144, "hrbfnpr_pen", 152, 160],
     annotations: ["list", 168, "hrbfnpr_annotation", 176, 184],
+    longest: ["f64", 192],
   } },
-  hrbfnpr_page_info: { size: 120, sized: true, fields: {
+  hrbfnpr_page_info: { size: 128, sized: true, fields: {
     bytes: ["i64", 8],
     groups: ["i64", 16],
     paths: ["i64", 24],
@@ -804,6 +807,7 @@ export const STRUCTS = {
     travelled: ["f64", 96],
     seconds: ["f64", 104],
     filledPaths: ["i64", 112],
+    cutPaths: ["i64", 120],
   } },
   hrbfnpr_source_field: { size: 48, sized: true, fields: {
     kind: ["u32", 4, 0, "FIELD_KIND"],
@@ -967,7 +971,7 @@ export const STRUCTS = {
     paperMargin: ["f64", 16],
     penWidths: ["array", 24, 1],
   } },
-  hrbfnpr_views_desc: { size: 96, sized: true, fields: {
+  hrbfnpr_views_desc: { size: 104, sized: true, fields: {
     flags: ["u32", 4],
     projection: ["u32", 8, 0, "VIEWS_ANGLE"],
     hidden: ["u32", 12, 0, "VIEWS_HIDDEN"],
@@ -984,6 +988,7 @@ export const STRUCTS = {
     hatchSpacing: ["f64", 72],
     spacing: ["f64", 80],
     page: ["pointer", 88, "hrbfnpr_page_desc"],
+    tangent: ["u32", 92, 0, "VIEWS_TANGENT"],
   } },
   hrbfnpr_views_info: { size: 216, sized: true, fields: {
     views: ["i64", 8],
@@ -1131,7 +1136,7 @@ export const OFFSETS = {
     160, volume: 168, bounds_min: 176, bounds_max: 200, seconds: 224, bytes: 232, crease_length: 240, creases: 248,
     cavities: 252},
   hrbfnpr_sample_desc: {struct_size: 0, reserved: 4, candidates: 8, random_seed: 16},
-  hrbfnpr_mesh_edges_desc: {struct_size: 0, edges: 4, crease_angle: 8, far: 16},
+  hrbfnpr_mesh_edges_desc: {struct_size: 0, edges: 4, crease_angle: 8, far: 16, tangent: 24, reserved: 28},
   hrbfnpr_mesh_edges_info: {struct_size: 0, reserved: 4, edges: 8, patches: 16, length: 24, fading: 32, doubtful: 40,
     seconds: 48},
   hrbfnpr_compare_desc: {struct_size: 0, reserved: 4, tolerance: 8, far: 16, support: 24, points: 32, cell_size: 40,
@@ -1150,14 +1155,14 @@ export const OFFSETS = {
   hrbfnpr_page_item: {struct_size: 0, reserved: 4, drawing: 8, x: 16, y: 24, scale: 32, name: 40},
   hrbfnpr_pen: {struct_size: 0, line_type: 4, groups: 8, width: 16, ink: 24, number: 40, reserved: 44},
   hrbfnpr_annotation: {struct_size: 0, line_type: 4, group: 8, text: 12, points: 16, width: 48, ink: 56},
-  hrbfnpr_page_desc: {struct_size: 0, format: 4, flags: 8, widths: 12, dots: 16, reserved: 20, width: 24, height: 32,
+  hrbfnpr_page_desc: {struct_size: 0, format: 4, flags: 8, widths: 12, dots: 16, curves: 20, width: 24, height: 32,
     tolerance: 40, width_step: 48, join: 56, shortest: 64, dot_distance: 72, draw_speed: 80, travel_speed: 88,
     pen_seconds: 96, pen_down: 104, pen_up: 108, title: 112, description: 116, metadata: 120, items: 124, item_count:
     128, item_stride: 136, pens: 144, pen_count: 152, pen_stride: 160, annotations: 168, annotation_count: 176,
-    annotation_stride: 184},
+    annotation_stride: 184, longest: 192},
   hrbfnpr_page_info: {struct_size: 0, reserved: 4, bytes: 8, groups: 16, paths: 24, segments: 32, dots: 40, joined:
     48, dropped_paths: 56, dropped_dots: 64, width: 72, height: 80, drawn: 88, travelled: 96, seconds: 104,
-    filled_paths: 112},
+    filled_paths: 112, cut_paths: 120},
   hrbfnpr_source_field: {struct_size: 0, kind: 4, name: 8, values: 16},
   hrbfnpr_picture_source: {struct_size: 0, flags: 4, points: 8, normals: 40, triangles: 72, sharp_edges: 104, model:
     136, point_set: 140, up: 144, up_by: 168, viewpoint: 176, columns: 200, rows: 208, name: 216, fields: 220,
@@ -1189,7 +1194,7 @@ export const OFFSETS = {
   hrbfnpr_picture_page_desc: {struct_size: 0, reserved: 4, page: 8, paper: 12, paper_margin: 16, pen_widths: 24},
   hrbfnpr_views_desc: {struct_size: 0, flags: 4, projection: 8, hidden: 12, views: 16, sections: 20, paper: 24, scale:
     28, smooth: 32, title: 36, model: 40, unit_mm: 48, crease_angle: 56, line_width: 64, hatch_spacing: 72, spacing:
-    80, page: 88},
+    80, page: 88, tangent: 92, reserved: 96},
   hrbfnpr_views_info: {struct_size: 0, reserved: 4, views: 8, bytes: 16, width: 24, height: 32, scale: 40, unit_mm:
     48, scale_text: 56, paper: 120, pieces: 184, agreeing: 192, undecided: 200, repaired: 208},
 };

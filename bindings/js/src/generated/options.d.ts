@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Made by bindings/generate from bindings/api.json; do not edit.
 
-import type { CapName, ClassName, CreasesName, CsgName, DabName, DensityName, DepthName, DistributionName,
+import type { CapName, ClassName, CreasesName, CsgName, CurvesName, DabName, DensityName, DepthName, DistributionName,
   DotShapeName, EdgesName, EvennessName, FacesName, FieldKindName, FieldRuleName, FieldSourceName, FormatName,
   HatchGuideName, HiddenLinesName, HiddenPartsName, InstructionSetName, KernelName, LayerKindName, LightKindName,
   LightName, LineKindName, LineTypeName, LogName, NormalsLookName, NormalsName, NoteName, OutwardName, PageFormatName,
   PaletteName, PartsName, PictureEdgesName, PictureGroundName, PictureSidesName, PresetName, PrimitiveName,
   ProfileName, RegularizationName, RepairName, ScalarName, SeedName, SeverityName, ShapeName, SidesName, SolverName,
   SolverReasonName, SourceKindName, StageName, StrokeStartName, ThreadBackendName, ToneCurveName, ToneName,
-  ToneRangesName, ToneRuleName, TrimName, VertexAttributeName, ViewsAngleName, ViewsHiddenName, VisibilityName,
-  WidthsName, WordingName } from "./constants.js";
+  ToneRangesName, ToneRuleName, TrimName, VertexAttributeName, ViewsAngleName, ViewsHiddenName, ViewsTangentName,
+  VisibilityName, WidthsName, WordingName } from "./constants.js";
 import type { Pointer } from "./functions.js";
 import type { AllocateFn, ArrayInput, ArrayOutput, DeallocateFn, DensityFn, DirectionFn, Drawing, Field, FieldFn,
   ImplicitFn, LineSet, LogFn, Mesh, Model, Numbers, Occluders, PictureEventFn, PointSet, RunTasksFn, Settings,
@@ -929,7 +929,7 @@ export interface MarkField {
 
 /** Lines to find once, when the line set is made. */
 export interface LineDesc {
-  /** HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION, OWN or SOFT_EDGE; default RIDGE */
+  /** HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION, OWN, SOFT_EDGE or TANGENT_EDGE; default RIDGE */
   kind?: LineKindName | number;
   /** name by which hrbfnpr_line_style.name selects these lines; UTF-8, up to 63 bytes; default NULL = "" */
   name?: string;
@@ -952,11 +952,11 @@ export interface LineDesc {
    * least one
    */
   levels?: ArrayInput;
-  /** OWN: points of all lines, on the surface or near it; n x 3, FLOAT32 or FLOAT64 */
+  /** OWN, TANGENT_EDGE: points of all lines, on the surface or near it; n x 3, FLOAT32 or FLOAT64 */
   position?: ArrayInput;
   /**
-   * OWN: number of the first position of each line, ascending, then the end of the last line; n x 1, UINT32. A
-   * line whose last position equals its first is closed
+   * OWN, TANGENT_EDGE: number of the first position of each line, ascending, then the end of the last line; n x 1,
+   * UINT32. A line whose last position equals its first is closed
    */
   lineFirst?: ArrayInput;
 }
@@ -1198,11 +1198,13 @@ export interface LayerStyle {
 /**
  * How the lines of one kind are drawn, for items that have a line set.  Lengths are in pixels unless a field
  * says
- * otherwise.  Of two contours, borders, creases, ridges, valleys, suggestive contours or apparent ridges of one
- * ink
- * that run side by side, nearer than a pen, only one keeps its width, and the other narrows and ends: the one of
- * the
- * later kind in this list, or the thinner, or the shorter.  Items whose halo_width is 0 keep all their lines.
+ * otherwise.  Of two contours, borders, creases, intersections, ridges, valleys, suggestive contours, apparent
+ * ridges
+ * or tangent edges of one ink that run side by side, nearer than a pen, only one keeps its width, and the other
+ * narrows
+ * and ends: the one of the later kind in this list, or the thinner, or the shorter.  Items whose halo_width is 0
+ * keep
+ * all their lines.
  */
 export interface LineStyle {
   /** kind of lines that this style is for, HRBFNPR_LINE_KIND_...; default CONTOUR */
@@ -1244,7 +1246,7 @@ export interface LineStyle {
   /**
    * least strength at which a line goes on, as in hrbfnpr_line_desc; 0 or more; default 0. If `lower` and `upper`
    * are 0, it is 10 for suggestive contours, 12 for apparent ridges, 15 (degrees) for creases, 15 (degrees) for
-   * soft edges, and 0 for other kinds
+   * soft edges, 2 (degrees) for intersections, and 0 for other kinds
    */
   lower?: number;
   /**
@@ -1961,6 +1963,12 @@ export interface MeshEdgesDesc {
    * number, such as the diagonal, the angle alone decides
    */
   far?: number;
+  /**
+   * 1 also finds tangent edges, along which two surfaces of a part touch without a kink but bend differently, such
+   * as a fillet and a plane; default 0. They are found where the bends of the mesh agree with two different
+   * curvatures. Scans, noise and subdivided shapes have none
+   */
+  tangent?: number;
 }
 
 /** The sharp edges of a mesh as a whole.  Lengths are in units of the mesh. */
@@ -2225,6 +2233,8 @@ export interface PageDesc {
   widths?: WidthsName | number;
   /** how dots are written, HRBFNPR_DOT_SHAPE_...; default CIRCLES */
   dots?: DotShapeName | number;
+  /** how the curves of lines of one width are written, HRBFNPR_CURVES_...; default ARCS */
+  curves?: CurvesName | number;
   /** width of the page, in mm; 0 .. 1e6; default 0 = as far as the drawings reach */
   width?: number;
   /** height of the page, in mm; 0 .. 1e6; default 0 = as far as the drawings reach */
@@ -2270,6 +2280,11 @@ export interface PageDesc {
   pens?: readonly Pen[];
   /** a list of annotations; default NULL */
   annotations?: readonly Annotation[];
+  /**
+   * in plot order, length that the pen draws at most before it is raised, in mm; 1 .. 1e6, or 0 = no limit;
+   * default 0. A longer line is cut into equal parts
+   */
+  longest?: number;
 }
 
 /** What was written. */
@@ -2302,6 +2317,8 @@ export interface PageInfo {
   readonly seconds: number;
   /** lines wider than their pen, drawn in several passes */
   readonly filledPaths: number;
+  /** lines longer than `longest`, cut into parts */
+  readonly cutPaths: number;
 }
 
 /** Values of a source's points, such as the colours or a quality that a file has at its vertices. */
@@ -2590,8 +2607,8 @@ export interface PictureDesc {
   hatchAngle?: number;
   /**
    * kinds of lines with commas between: contour, suggestive, ridges, valleys, apparent, parabolic,
-   * isophotes=0.3:0.6, section=z:20, border, crease, shadow, terminator, soft; "none" = no lines, so that contours
-   * are drawn by marks with VISIBILITY_PUBLISHED only; default NULL = those of the style
+   * isophotes=0.3:0.6, section=z:20, border, crease, shadow, terminator, soft, tangent; "none" = no lines, so that
+   * contours are drawn by marks with VISIBILITY_PUBLISHED only; default NULL = those of the style
    */
   lines?: string;
   /**
@@ -2849,6 +2866,8 @@ export interface ViewsDesc {
    * sets items, annotations, pens and size, and title and description where they are NULL
    */
   page?: PageDesc;
+  /** how tangent edges are drawn, HRBFNPR_VIEWS_TANGENT_...; default SHORT */
+  tangent?: ViewsTangentName | number;
 }
 
 /** The sheet that was written. */

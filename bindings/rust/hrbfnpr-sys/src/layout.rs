@@ -1165,7 +1165,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_mesh_edges_desc>() == 24);
+    assert!(size_of::<hrbfnpr_mesh_edges_desc>() == 32);
     assert!(align_of::<hrbfnpr_mesh_edges_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -1175,6 +1175,8 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_mesh_edges_desc, edges) == 4);
     assert!(offset_of!(hrbfnpr_mesh_edges_desc, crease_angle) == 8);
     assert!(offset_of!(hrbfnpr_mesh_edges_desc, far) == 16);
+    assert!(offset_of!(hrbfnpr_mesh_edges_desc, tangent) == 24);
+    assert!(offset_of!(hrbfnpr_mesh_edges_desc, reserved) == 28);
 };
 
 const _: () = {
@@ -1349,7 +1351,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_page_desc>() == either(216, 192, 184));
+    assert!(size_of::<hrbfnpr_page_desc>() == either(224, 200, 192));
     assert!(align_of::<hrbfnpr_page_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -1360,7 +1362,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_page_desc, flags) == 8);
     assert!(offset_of!(hrbfnpr_page_desc, widths) == 12);
     assert!(offset_of!(hrbfnpr_page_desc, dots) == 16);
-    assert!(offset_of!(hrbfnpr_page_desc, reserved) == 20);
+    assert!(offset_of!(hrbfnpr_page_desc, curves) == 20);
     assert!(offset_of!(hrbfnpr_page_desc, width) == 24);
     assert!(offset_of!(hrbfnpr_page_desc, height) == 32);
     assert!(offset_of!(hrbfnpr_page_desc, tolerance) == 40);
@@ -1385,10 +1387,11 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_page_desc, annotations) == either(192, 168, 164));
     assert!(offset_of!(hrbfnpr_page_desc, annotation_count) == either(200, 176, 168));
     assert!(offset_of!(hrbfnpr_page_desc, annotation_stride) == either(208, 184, 176));
+    assert!(offset_of!(hrbfnpr_page_desc, longest) == either(216, 192, 184));
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_page_info>() == 120);
+    assert!(size_of::<hrbfnpr_page_info>() == 128);
     assert!(align_of::<hrbfnpr_page_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -1410,6 +1413,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_page_info, travelled) == 96);
     assert!(offset_of!(hrbfnpr_page_info, seconds) == 104);
     assert!(offset_of!(hrbfnpr_page_info, filled_paths) == 112);
+    assert!(offset_of!(hrbfnpr_page_info, cut_paths) == 120);
 };
 
 const _: () = {
@@ -1668,7 +1672,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_views_desc>() == either(120, 96, 88));
+    assert!(size_of::<hrbfnpr_views_desc>() == either(128, 104, 96));
     assert!(align_of::<hrbfnpr_views_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -1691,6 +1695,8 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_views_desc, hatch_spacing) == either(96, 72, 68));
     assert!(offset_of!(hrbfnpr_views_desc, spacing) == either(104, 80, 76));
     assert!(offset_of!(hrbfnpr_views_desc, page) == either(112, 88, 84));
+    assert!(offset_of!(hrbfnpr_views_desc, tangent) == either(120, 92, 88));
+    assert!(offset_of!(hrbfnpr_views_desc, reserved) == either(124, 96, 92));
 };
 
 const _: () = {

@@ -204,23 +204,25 @@
 //! of each component are turned to agree; and a closed component that is inside out is turned
 //! as a whole.
 //!
-//! # PAGE: drawings as vectors: SVG, PDF, HPGL, G-code
+//! # PAGE: drawings as vectors: SVG, PDF, HPGL, G-code, DXF
 //!
 //! A page holds drawings, each at its place and scale, and texts and lines beside them.  Its
 //! unit is the millimetre,
 //! from the top-left corner, y down.  Strokes become cubic Bezier curves within a tolerance
 //! of the drawing's lines
-//! [Schneider 1990].  For plotters they become straight lines within that tolerance.
+//! [Schneider 1990], or arcs of circles where they are such arcs.  For plotters they become
+//! arcs and straight lines
+//! within that tolerance.
 //!
 //! Ink is in named groups, the layers of a file.  The group of a layer of marks has that
 //! layer's name, such as
 //! "stipples" or "hatch-2".  Groups of lines are called "contour", "suggestive", "ridge",
 //! "valley", "apparent ridge",
 //! "parabolic", "isophote", "section", "border", "crease", "shadow", "terminator", "soft
-//! edge", or have the name of
-//! lines of kind OWN.  Ink behind n layers of surface has " hidden n" at the end of its name.
-//! A second layer of the
-//! same name has " 2".
+//! edge", "intersection",
+//! "tangent edge", or have the name of lines of kind OWN.  Ink behind n layers of surface has
+//! " hidden n" at the end of
+//! its name.  A second layer of the same name has " 2".
 //!
 //! Groups follow the layers of the drawing, hidden ones first.  In a group strokes are in
 //! order from far to near.  Where
@@ -2702,13 +2704,21 @@ pub const HRBFNPR_LINE_KIND_TERMINATOR: u32 = 13;
 /// degrees. Organic bumps, limbs and noise have none. `fade` of a line style makes the line
 /// narrower and not paler
 pub const HRBFNPR_LINE_KIND_SOFT_EDGE: u32 = 14;
+/// curves in which the surface of the item crosses that of another item with a line set. If
+/// both items draw them, they are lines of the item with the smaller mesh cells. Parts of one
+/// model meet in CREASEs. Strength: the mean angle between both surfaces along a curve, in
+/// degrees; `upper` and `fade` have no effect
+pub const HRBFNPR_LINE_KIND_INTERSECTION: u32 = 15;
+/// edges of a part along which two surfaces touch without a kink, such as those of a fillet;
+/// once. The caller gives them as polylines, as OWN. hrbfnpr_mesh_edges finds them in a mesh
+pub const HRBFNPR_LINE_KIND_TANGENT_EDGE: u32 = 16;
 
 /// Lines to find once, when the line set is made.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_line_desc {
     pub struct_size: u32,
-    /// HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION, OWN or SOFT_EDGE; default RIDGE
+    /// HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION, OWN, SOFT_EDGE or TANGENT_EDGE; default RIDGE
     pub kind: u32,
     /// name by which hrbfnpr_line_style.name selects these lines; UTF-8, up to 63 bytes; default NULL = ""
     pub name: *const c_char,
@@ -2726,10 +2736,10 @@ pub struct hrbfnpr_line_desc {
     /// SECTION: places of the planes along the unit normal, in units of the model; n x 1, FLOAT32
     /// or FLOAT64; at least one
     pub levels: hrbfnpr_array,
-    /// OWN: points of all lines, on the surface or near it; n x 3, FLOAT32 or FLOAT64
+    /// OWN, TANGENT_EDGE: points of all lines, on the surface or near it; n x 3, FLOAT32 or FLOAT64
     pub position: hrbfnpr_array,
-    /// OWN: number of the first position of each line, ascending, then the end of the last line;
-    /// n x 1, UINT32. A line whose last position equals its first is closed
+    /// OWN, TANGENT_EDGE: number of the first position of each line, ascending, then the end of
+    /// the last line; n x 1, UINT32. A line whose last position equals its first is closed
     pub line_first: hrbfnpr_array,
 }
 
@@ -3260,11 +3270,12 @@ pub const HRBFNPR_CREASES_CONCAVE: u32 = 2;
 
 /// How the lines of one kind are drawn, for items that have a line set.  Lengths are in
 /// pixels unless a field says
-/// otherwise.  Of two contours, borders, creases, ridges, valleys, suggestive contours or
-/// apparent ridges of one ink
-/// that run side by side, nearer than a pen, only one keeps its width, and the other narrows
-/// and ends: the one of the
-/// later kind in this list, or the thinner, or the shorter.  Items whose halo_width is 0 keep
+/// otherwise.  Of two contours, borders, creases, intersections, ridges, valleys, suggestive
+/// contours, apparent ridges
+/// or tangent edges of one ink that run side by side, nearer than a pen, only one keeps its
+/// width, and the other narrows
+/// and ends: the one of the later kind in this list, or the thinner, or the shorter.  Items
+/// whose halo_width is 0 keep
 /// all their lines.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
@@ -3302,7 +3313,8 @@ pub struct hrbfnpr_line_style {
     pub fade: f32,
     /// least strength at which a line goes on, as in hrbfnpr_line_desc; 0 or more; default 0. If
     /// `lower` and `upper` are 0, it is 10 for suggestive contours, 12 for apparent ridges, 15
-    /// (degrees) for creases, 15 (degrees) for soft edges, and 0 for other kinds
+    /// (degrees) for creases, 15 (degrees) for soft edges, 2 (degrees) for intersections, and 0
+    /// for other kinds
     pub lower: f64,
     /// strength that a line must reach somewhere to be drawn; 0 or more; default 0. If `lower`
     /// and `upper` are 0, it is 30 for suggestive contours, 25 for apparent ridges, 30 (degrees)
@@ -4515,8 +4527,8 @@ extern "C" {
 
 // Which components of a mesh are kept.  Faces that share vertices belong to one component.
 // With ALL and SOLIDS, a closed component inside an odd number of closed ones is the wall of
-// a cavity, and its faces are
-// turned into the cavity.  One inside an even number is a solid.
+// a cavity, and its faces
+// are turned into the cavity.  One inside an even number is a solid.
 /// keeps all components except those inside a closed one, such as eyes in a head or inner shells
 pub const HRBFNPR_PARTS_OUTER: u32 = 0;
 /// keeps all components
@@ -4750,6 +4762,12 @@ pub struct hrbfnpr_mesh_edges_desc {
     /// more than four fifths of it. With a large number, such as the diagonal, the angle alone
     /// decides
     pub far: f64,
+    /// 1 also finds tangent edges, along which two surfaces of a part touch without a kink but
+    /// bend differently, such as a fillet and a plane; default 0. They are found where the bends
+    /// of the mesh agree with two different curvatures. Scans, noise and subdivided shapes have
+    /// none
+    pub tangent: u32,
+    pub reserved: u32,
 }
 
 extern "C" {
@@ -4799,9 +4817,10 @@ extern "C" {
     /// of each face's patch, from 0
     /// in the order of their first faces.  `sharp` is m x 3, of the same types: it gets 1 if the
     /// edge from corner k of the
-    /// face to the next corner is sharp, else 0.  `patch`, `sharp`, `desc`, `info` and
-    /// `operation` may be NULL.  The call
-    /// only reads the mesh, so several threads may make it at the same time.
+    /// face to the next corner is sharp, 2 if it is a tangent edge, else 0.  `patch`, `sharp`,
+    /// `desc`, `info` and
+    /// `operation` may be NULL.  The call only reads the mesh, so several threads may make it at
+    /// the same time.
     /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
     pub fn hrbfnpr_mesh_edges(
         mesh: *const hrbfnpr_mesh,
@@ -5099,7 +5118,7 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-// 14  PAGE: drawings as vectors: SVG, PDF, HPGL, G-code
+// 14  PAGE: drawings as vectors: SVG, PDF, HPGL, G-code, DXF
 
 // The format of a file.
 /// SVG 1.1, with groups as layers of Inkscape
@@ -5108,8 +5127,13 @@ pub const HRBFNPR_PAGE_FORMAT_SVG: u32 = 0;
 pub const HRBFNPR_PAGE_FORMAT_PDF: u32 = 1;
 /// HPGL for plotters: absolute coordinates, 40 units per mm, y up from the lower left corner
 pub const HRBFNPR_PAGE_FORMAT_HPGL: u32 = 2;
-/// G-code for plotters: G0 and G1 in mm, y up from the lower left corner
+/// G-code for plotters: G0 to G3 in mm, y up from the lower left corner
 pub const HRBFNPR_PAGE_FORMAT_GCODE: u32 = 3;
+/// DXF of AutoCAD 2004 (AC1018) in mm, y up from the lower left corner, with groups as
+/// layers. There is no paper, and ink is cut off at the edges of drawings. Strokes of varying
+/// width become polylines with a width at each point, and their outlines are not written.
+/// Dots become circles or, as LINES, points
+pub const HRBFNPR_PAGE_FORMAT_DXF: u32 = 4;
 
 // How strokes are written whose width varies.
 /// filled outlines, in SVG and PDF
@@ -5124,6 +5148,16 @@ pub const HRBFNPR_DOT_SHAPE_CIRCLES: u32 = 0;
 pub const HRBFNPR_DOT_SHAPE_LINES: u32 = 1;
 /// spirals with which a pen fills the dot, if the dot is wider than the pen
 pub const HRBFNPR_DOT_SHAPE_SPIRALS: u32 = 2;
+
+// How the curves of lines of one width are written.  HPGL has straight lines only.
+/// arcs of circles where lines consist of them: A in SVG, ARC, CIRCLE and bulges in DXF.
+/// Other curves are as with SPLINES. GCODE has arcs (G2, G3) and straight lines only, and PDF
+/// has no arcs
+pub const HRBFNPR_CURVES_ARCS: u32 = 0;
+/// cubic Bezier curves: SPLINE in DXF, G5 in GCODE
+pub const HRBFNPR_CURVES_SPLINES: u32 = 1;
+/// straight lines, for programs and machines that have neither arcs nor splines
+pub const HRBFNPR_CURVES_LINES: u32 = 2;
 
 // Options of a page.
 /// sorts each group so that a pen travels little. HPGL and GCODE are always sorted. Lines may
@@ -5270,7 +5304,8 @@ pub struct hrbfnpr_page_desc {
     pub widths: u32,
     /// how dots are written, HRBFNPR_DOT_SHAPE_...; default CIRCLES
     pub dots: u32,
-    pub reserved: u32,
+    /// how the curves of lines of one width are written, HRBFNPR_CURVES_...; default ARCS
+    pub curves: u32,
     /// width of the page, in mm; 0 .. 1e6; default 0 = as far as the drawings reach
     pub width: f64,
     /// height of the page, in mm; 0 .. 1e6; default 0 = as far as the drawings reach
@@ -5324,6 +5359,9 @@ pub struct hrbfnpr_page_desc {
     pub annotation_count: i64,
     /// bytes from one element of `annotations` to the next; default 0 = struct_size
     pub annotation_stride: i64,
+    /// in plot order, length that the pen draws at most before it is raised, in mm; 1 .. 1e6, or
+    /// 0 = no limit; default 0. A longer line is cut into equal parts
+    pub longest: f64,
 }
 
 extern "C" {
@@ -5365,6 +5403,8 @@ pub struct hrbfnpr_page_info {
     pub seconds: f64,
     /// lines wider than their pen, drawn in several passes
     pub filled_paths: i64,
+    /// lines longer than `longest`, cut into parts
+    pub cut_paths: i64,
 }
 
 extern "C" {
@@ -5375,7 +5415,7 @@ extern "C" {
     /// largest group.  `info` and `operation` may be NULL.
     /// Errors: INVALID_ARGUMENT (no drawing and no annotation; an empty page; a text that is not
     /// UTF-8; a drawing with
-    /// VISIBILITY_PUBLISHED, which has discs of paper, for plotters or in plot order), IO
+    /// VISIBILITY_PUBLISHED, which has discs of paper, for plotters, in DXF or in plot order), IO
     /// (`write` failed), OUT_OF_MEMORY,
     /// CANCELLED, CALLBACK.
     pub fn hrbfnpr_page_write(
@@ -6007,9 +6047,9 @@ pub struct hrbfnpr_picture_desc {
     /// angle by which all lines of hatching are turned, in degrees, -360 .. 360; default 0
     pub hatch_angle: f64,
     /// kinds of lines with commas between: contour, suggestive, ridges, valleys, apparent,
-    /// parabolic, isophotes=0.3:0.6, section=z:20, border, crease, shadow, terminator, soft;
-    /// "none" = no lines, so that contours are drawn by marks with VISIBILITY_PUBLISHED only;
-    /// default NULL = those of the style
+    /// parabolic, isophotes=0.3:0.6, section=z:20, border, crease, shadow, terminator, soft,
+    /// tangent; "none" = no lines, so that contours are drawn by marks with VISIBILITY_PUBLISHED
+    /// only; default NULL = those of the style
     pub lines: *const c_char,
     /// unit of a scale bar below the drawing; "none" = no bar; default NULL = "units" in the
     /// style archaeological, else "none"
@@ -6198,7 +6238,7 @@ extern "C" {
     /// this round.
     /// A colour in place of a number is its luminance, as in HRBFNPR_FIELD_SOURCE_IMAGE.  An
     /// ink_field without a palette
-    /// gets one of three inks, which a note names.
+    /// gets one of three inks, or of up to eight if there are no more hues; a note names them.
     ///
     /// Errors: INVALID_ARGUMENT (a field of `desc`; a source that cannot be drawn),
     /// SINGULAR_SYSTEM, NOT_CONVERGED,
@@ -6516,6 +6556,18 @@ pub const HRBFNPR_VIEWS_HIDDEN_NONE: u32 = 1;
 /// hidden edges are continuous thin lines
 pub const HRBFNPR_VIEWS_HIDDEN_SHOWN: u32 = 2;
 
+// How tangent edges are drawn, along which two surfaces of a part touch without a kink, such
+// as those of a fillet.
+// They are continuous thin lines; hidden ones are not drawn.
+/// tangent edges end three widths of an outline before the lines that they would touch, as
+/// ISO 128-3 asks of the lines of rounded edges; short ones end a quarter of their length
+/// before
+pub const HRBFNPR_VIEWS_TANGENT_SHORT: u32 = 0;
+/// tangent edges go up to the lines that they touch
+pub const HRBFNPR_VIEWS_TANGENT_THIN: u32 = 1;
+/// tangent edges are not drawn
+pub const HRBFNPR_VIEWS_TANGENT_NONE: u32 = 2;
+
 /// A sheet of views.  Texts are UTF-8, and are read during the call only.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
@@ -6564,6 +6616,9 @@ pub struct hrbfnpr_views_desc {
     /// tolerance of 0.02. The call sets items, annotations, pens and size, and title and
     /// description where they are NULL
     pub page: *const hrbfnpr_page_desc,
+    /// how tangent edges are drawn, HRBFNPR_VIEWS_TANGENT_...; default SHORT
+    pub tangent: u32,
+    pub reserved: u32,
 }
 
 extern "C" {
