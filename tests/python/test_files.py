@@ -2,6 +2,7 @@
 """Files of every format, in the dialects that programs write."""
 import gzip
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,6 +10,9 @@ from test_scans import COLOURS, NORMALS, POINTS, grid, is_right, las, lines, pcd
 from test_shapes import CUBE, QUADS, ply_header, stl, write
 
 from hrbfnpr import shapes
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "fuzz"))
+from reader_files import amf, mf3, mf3_model  # noqa: E402
 
 # --- tables ------------------------------------------------------------------------------------
 
@@ -205,6 +209,9 @@ def test_numbers_of_other_languages_that_are_not_finite(tmp_path, word):
             assert len(points) == 5
         else:
             np.testing.assert_array_equal(points[:2], [[1, 2, ODD[word]], [0, 1, 0]], name)
+    for name, data in (("a.3mf", mf3(mf3_model().replace('x="0"', f'x="{word}"', 1))),
+                       ("a.amf", amf().replace(b"<x>0<", f"<x>{word}<".encode(), 1))):  # fmt: skip
+        assert (~np.isfinite(shapes.read(write(tmp_path, name, data)).points)).any(), name
     shape = shapes.read(write(tmp_path, "no_ending", f"{word} 2 3\n4 5 6\n7 8 9\n"))
     assert shape.format == "text" and len(shape.points) == 3
 

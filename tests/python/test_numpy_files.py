@@ -59,6 +59,8 @@ def test_columns_may_be_points(tmp_path):
     shape = shapes.read(write(tmp_path, "a.npy", npy(POINTS.T)))
     np.testing.assert_array_equal(shape.points, POINTS)
     assert shape.notes == ("the array is 3 x 300: its columns are read as points",)
+    four = shapes.read(write(tmp_path, "b.npy", npy(np.vstack([POINTS.T, np.ones(300)]))))  # homogeneous coordinates
+    np.testing.assert_array_equal(four.points, POINTS)
 
 
 def hat(rows, columns):

@@ -20,6 +20,7 @@ import numpy as np
 
 from ._capsules import MOST_CAPSULES, capsules
 from ._shape import Floats, Integers, Shape, ShapeError, Vector
+from ._table import usual_numbers
 
 UP: Vector = (0.0, 0.0, 1.0)  # the convention of printers
 _RELATIONS = "_rels/.rels"
@@ -111,7 +112,7 @@ class _Reader:
         if info.file_size > _LARGEST_PART:
             raise ShapeError(f"{part} of the 3MF file is larger than {_LARGEST_PART >> 30} GiB")
         try:
-            return _tree(self._archive.read(info))
+            return _tree(usual_numbers(self._archive.read(info)))
         except ElementTree.ParseError as error:
             raise ShapeError(f"{part} of the 3MF file is not XML: {error}") from None
         except (LookupError, ValueError) as error:  # an unknown encoding

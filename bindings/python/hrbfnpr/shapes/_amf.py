@@ -14,7 +14,7 @@ import numpy as np
 
 from ._3mf import UNPACKING
 from ._shape import Floats, Integers, Shape, ShapeError, Vector
-from ._table import is_number
+from ._table import is_number, usual_numbers
 
 UP: Vector = (0.0, 0.0, 1.0)  # the convention of printers
 MAGIC = rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<(?i:amf)\b"
@@ -30,7 +30,7 @@ def read_amf(data: bytes) -> Shape:
     if data[:4] == b"PK\3\4":
         data = _unpacked(data)
     try:
-        root = ElementTree.fromstring(data)
+        root = ElementTree.fromstring(usual_numbers(data))
     except (ElementTree.ParseError, LookupError, ValueError) as error:
         raise ShapeError(f"the AMF file is not valid XML: {error}") from None
     placed = _Placer(root).placed()

@@ -18,7 +18,7 @@ from ._table import at, number_at, numbers, plain
 UP: Vector = (0.0, 0.0, 1.0)
 MOST_CELLS = 300_000  # largest number of cells that are used; of a larger map, every second, third, ... row and column
 MOST_COLUMNS = 32  # largest number of columns of a point
-_LEAST_SQUARE = 10  # least side of a square array of heights.  A place, a normal and a colour are 9 numbers.
+LEAST_ROWS = 10  # least number of rows of an array of heights.  A place, a normal and a colour are 9 numbers.
 _MISSING = -9999.0  # the usual mark for a missing height
 _RELIEF = 0.15  # height over width for a picture without a scale
 _KEYS = ("ncols", "nrows", "xllcorner", "xllcenter", "yllcorner", "yllcenter", "cellsize", "nodata_value", "dx", "dy")
@@ -72,7 +72,7 @@ def _placed(
 def is_map(array: Any) -> bool:
     """Whether an array of two dimensions holds heights: it is wider than a row with a point can be, or is a square."""
     rows, columns = array.shape
-    return bool(rows > 1 and (columns > MOST_COLUMNS or columns == rows >= _LEAST_SQUARE))
+    return bool(rows >= LEAST_ROWS and (columns > MOST_COLUMNS or columns == rows))
 
 
 def of_array(array: Any, form: str, notes: Sequence[str] = ()) -> Shape:

@@ -14,7 +14,7 @@ from . import _heights
 from ._attributes import COLOUR, PointValues, attributes, colours, scalars
 from ._columns import Columns, by_content, by_heading
 from ._degrees import NOTE, in_metres, points_are_degrees
-from ._heights import MOST_COLUMNS
+from ._heights import LEAST_ROWS, MOST_COLUMNS
 from ._shape import Floats, Shape, ShapeError
 from ._xyz import UP, fields_of
 
@@ -100,7 +100,7 @@ def _points(array: Any, form: str) -> Shape:
     notes: Tuple[str, ...] = ()
     if array.ndim == 3 and 1 in (array.shape[0], array.shape[2]):  # one band of a picture
         array = array.reshape([side for k, side in enumerate(array.shape) if k == 1 or side != 1])
-    if array.ndim == 2 and array.shape[0] in (3, 6) and array.shape[1] > MOST_COLUMNS:
+    if array.ndim == 2 and 3 <= array.shape[0] < LEAST_ROWS and array.shape[1] > MOST_COLUMNS:
         notes = (f"the array is {_shape(array)}: its columns are read as points",)
         array = array.T
     if array.ndim == 2 and array.dtype.kind in "fiu" and _heights.is_map(array):

@@ -62,7 +62,7 @@ def plain(data: bytes) -> bytes:
         data = data[3:]
     elif b"\0" in data:
         data = _without_zeros(data)
-    return _usual_numbers(data.replace(b"\r\n", b"\n").replace(b"\r", b"\n"))
+    return usual_numbers(data.replace(b"\r\n", b"\n").replace(b"\r", b"\n"))
 
 
 def _without_zeros(data: bytes) -> bytes:
@@ -77,7 +77,7 @@ def _without_zeros(data: bytes) -> bytes:
     return data.replace(b"\0", b" ")
 
 
-def _usual_numbers(text: bytes) -> bytes:
+def usual_numbers(text: bytes) -> bytes:
     """The text with nan and inf as Python and NumPy write them."""
     if b".#" not in text and b"(" not in text:
         return text
@@ -102,7 +102,7 @@ def numbers(text: bytes, first_line: int = 1, hint: str = "") -> Rows:
     hint : str
         What a message adds after a word that is no number.
     """
-    text = _usual_numbers(text)
+    text = usual_numbers(text)
     words, lines, counts = _words(text)
     with warnings.catch_warnings():
         # A word that is no number ends the parse, with a warning or an error by NumPy's version.
