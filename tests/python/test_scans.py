@@ -660,7 +660,7 @@ def test_vrml(tmp_path):
         np.testing.assert_allclose(shape.points.max(axis=0), [2, 3, 5], atol=1e-6)
         assert shape.notes == () or name != "box.wrl"
     cut = shapes.read(write(tmp_path, "cut.wrl", VRML % (corners, faces) + "Transform { children [ ] ] }\n"))
-    assert len(cut.triangles) == 12 and "VTK cannot read on from line" in cut.notes[0]
+    assert len(cut.triangles) == 12 and "VTK cannot read on from line 4" in cut.notes[0]
     with pytest.raises(shapes.ShapeError, match="VTK finds no points in it: (VTK cannot read on|it is damaged)"):
         shapes.read(write(tmp_path, "bad.wrl", VRML[:90]))
     with pytest.raises(shapes.ShapeError, match="VRML of version 1"):
