@@ -421,3 +421,13 @@ def test_the_example_of_the_page_runs(tmp_path, monkeypatch):
     exec(compile(block, "python.md", "exec"), {})
     drawn = (tmp_path / "scene.svg").read_text(encoding="utf-8")
     assert "hatch ink 1" in drawn and "hatch ink 2" in drawn
+
+
+def test_pyvista_itself():
+    pyvista = pytest.importorskip("pyvista", reason="PyVista is missing (pip install pyvista)")
+    plotter = pyvista.Plotter(off_screen=True, window_size=(160, 120))
+    plotter.add_mesh(pyvista.Sphere(), color="red")
+    plotter.add_mesh(pyvista.Cube(center=(2, 0, 0)), color="blue")
+    picture = hrbfnpr.from_pyvista(plotter, "stipple", samples=60, marks=2000)
+    assert picture.size == (160, 120) and any(note.code == "palette_chosen" for note in picture.notes)
+    np.testing.assert_allclose(picture.camera.view[2, :3], np.full(3, 3**-0.5), atol=1e-6)
