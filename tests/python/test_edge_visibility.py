@@ -109,6 +109,16 @@ def test_line_strings_are_hard_edges(tmp_path, string_type):
     assert both.notes == ("edges have materials of their own, which are not used",)
 
 
+def test_outlines_of_cesium_are_hard_edges(tmp_path):
+    points, faces = prism()[:2]
+    sides = len(rims_of_prism()) // 2
+    pairs = [index for base in (0, sides) for i in range(sides) for index in (base + i, base + (i + 1) % sides)]
+    data = glb(points, faces, strings=[pairs])
+    said, outline = b'"EXT_mesh_primitive_edge_visibility": {"lineStrings": [{"indices": 2}]}', b'"CESIUM_primitive_outline": {"indices": 2}'
+    assert said in data
+    assert rims(shapes.read(write(tmp_path, "a.glb", data.replace(said, outline.ljust(len(said)))))) == rims_of_prism()
+
+
 def test_edges_belong_to_their_part(tmp_path):
     points, faces = prism()[:2]
     values = coded(values_of(points, faces, rims_of_prism()))

@@ -127,6 +127,7 @@ def test_molecules_are_balls(tmp_path):
     twice = shapes.read(write(tmp_path, "b.xyz", WATER + WATER))
     assert twice.notes == ("only the first frame of the file is drawn",) and len(twice.points) == 3
     assert shapes.read(write(tmp_path, "c.xyz", "9\n" + WATER[2:])).notes == ("the file is cut short: it has 3 of 9 atoms",)
+    assert len(shapes.read(write(tmp_path, "e.xyz", WATER.lower())).radii) == 3
     odd = shapes.read(write(tmp_path, "d.xyz", "1\n\nXx 1 2 3\n"))
     assert odd.radii == [2.0] and odd.notes == ("elements without a known radius have 2 angstroms: Xx",)
 
@@ -148,7 +149,7 @@ def test_molecules_are_drawn_as_solids(tmp_path, capsys):
     assert np.array_equal(hrbfnpr.draw(shapes.read(path), "silhouette", size=120).image, picture.image)
     assert main(["check", str(path)]) == 0
     said = capsys.readouterr().out
-    assert "kind: balls" in said and "bounds max: 1.52 1.957 1.637" in said
+    assert "kind: balls" in said and "bounds max: 1.52 1.957 1.637" in said and "unit: angstroms" in said
 
 
 def test_unreadable_molecules_are_named(tmp_path):
@@ -278,6 +279,17 @@ def test_places_of_usd(tmp_path):
     assert is_right(shapes.read(write(tmp_path, "d.usda", usda(back))), np.column_stack([2 - x, y, z]))
     timed = usd_mesh(more='double3 xformOp:translate.timeSamples = {\n 0: (5, 0, 0),\n 1.5: (6, 0, 0),\n }\n token[] xformOpOrder = ["xformOp:translate"]')
     assert is_right(shapes.read(write(tmp_path, "e.usda", usda(timed))), POINTS + [5, 0, 0])
+
+
+def test_units_are_said(tmp_path, capsys):
+    for facts, unit in (('metersPerUnit = 0.01', "centimetres"), ("metersPerUnit = 0.0254", "0.0254 metres"), ("a = 1", "centimetres"),
+                        ("metersPerUnit = x", "unknown")):  # fmt: skip
+        assert main(["check", str(write(tmp_path, "a.usda", usda(usd_mesh(), facts=facts)))]) == 0
+        assert f"unit: {unit}\n" in capsys.readouterr().out
+    assert shapes.read(write(tmp_path, "a.3dxml", threedxml())).unit == "millimetres"
+    density = grid(lambda x, y, z: np.exp(-x * x - y * y - z * z), 7)
+    assert shapes.read(write(tmp_path, "a.cube", cube(density))).unit == "bohr"
+    assert shapes.read(write(tmp_path, "a.cube", cube(density).replace("\n7 ", "\n-7 "))).unit == "angstroms"
 
 
 def test_parts_of_usd_that_are_left_out(tmp_path):

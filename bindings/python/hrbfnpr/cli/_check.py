@@ -89,7 +89,8 @@ def _examine(path: Path, findings: Findings, context: Context) -> None:
     if shape.radii is not None:
         low, high = (shape.points - shape.radii[:, None]).min(axis=0), (shape.points + shape.radii[:, None]).max(axis=0)
         facts.update(kind="balls", bounds_min=low.tolist(), bounds_max=high.tolist())
-        facts.update(diagonal=float(np.linalg.norm(high - low)), radii=[float(shape.radii.min()), float(shape.radii.max())])
+        facts.update(diagonal=float(np.linalg.norm(high - low)), unit=shape.unit or "unknown")
+        facts.update(radii=[float(shape.radii.min()), float(shape.radii.max())])
         return
     info, notes = inspect(shape, lib.HRBFNPR_WORDING_OPTIONS, context)
     for note in notes:
@@ -107,7 +108,7 @@ def _facts(shape: Shape, info: Any) -> Dict[str, Any]:
     facts: Dict[str, Any] = {"points_not_finite": info.points_not_finite}
     if info.points_not_finite >= info.points - info.no_data - info.strays:
         return facts
-    unit = "metres" if shape.format in _IN_METRES else "unknown"
+    unit = shape.unit or ("metres" if shape.format in _IN_METRES else "unknown")
     facts.update(
         bounds_min=list(info.bounds_min), bounds_max=list(info.bounds_max), diagonal=info.diagonal, unit=unit
     )

@@ -86,7 +86,8 @@ class _Reader:
             raise ShapeError(f"the 3DXML file has no triangles: {_OTHERWISE}")
         first = np.cumsum([0] + [len(points) for points, _ in placed])
         triangles = np.concatenate([faces + start for (_, faces), start in zip(placed, first)])
-        return Shape(np.concatenate([points for points, _ in placed]), None, triangles, "3DXML", ("x", "y", "z"), UP)
+        points = np.concatenate([points for points, _ in placed])
+        return Shape(points, None, triangles, "3DXML", ("x", "y", "z"), UP, unit="millimetres")
 
     def _main(self, names: List[str]) -> str:
         """The part with the products."""

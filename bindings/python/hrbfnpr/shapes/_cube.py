@@ -62,7 +62,8 @@ def read_cube(data: bytes) -> Shape:
     notes.insert(0, f"the surface of the value {level}, which encloses {share:.0%} of the sum of the {of}")
     if np.linalg.det(axes) < 0.0:
         triangles = triangles[:, ::-1]
-    return Shape(origin + points @ axes, None, triangles, "Gaussian cube", ("x", "y", "z"), notes=tuple(notes))
+    unit = "angstroms" if rows[1][0] < 0 else "bohr"
+    return Shape(origin + points @ axes, None, triangles, "Gaussian cube", ("x", "y", "z"), notes=tuple(notes), unit=unit)
 
 
 def _numbers(lines: List[str], number: int, least: int) -> List[float]:

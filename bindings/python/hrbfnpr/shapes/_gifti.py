@@ -47,7 +47,7 @@ def read_gifti(data: bytes) -> Shape:
         np.concatenate([face.astype(np.int64) + start for face, start in zip(faces, first)]) if faces else None
     )
     places = np.concatenate(points).astype(np.float64)
-    return Shape(places, None, triangles, "GIFTI", ("x", "y", "z"), UP, fields=_fields(arrays, len(places)))
+    return Shape(places, None, triangles, "GIFTI", ("x", "y", "z"), UP, fields=_fields(arrays, len(places)), unit="millimetres")
 
 
 def _fields(arrays: List[Tuple[str, str, Floats]], count: int) -> Dict[str, PointValues]:

@@ -22,6 +22,7 @@ _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 _DRACO = "KHR_draco_mesh_compression"
 _PACKED = ("EXT_meshopt_compression", "KHR_meshopt_compression")
 _EDGES = "EXT_mesh_primitive_edge_visibility"
+_OUTLINE = "CESIUM_primitive_outline"  # pairs of vertices, the ends of hard edges
 _HARD = 2  # the least visibility of edges that are always drawn; below: never, or only as a part of the outline
 _POINTS, _TRIANGLES, _STRIP, _FAN = 0, 4, 5, 6
 _MOST = 1 << 28  # largest number of elements in a list
@@ -198,11 +199,15 @@ class _Reader:
             return None
 
     def _hard_edges(self, part: Dict[str, Any], triangles: Integers, count: int) -> Optional[Integers]:
-        """The edges that are always drawn, if a part says which: those of a field of bits, and those of line strings."""
-        said = part.get("extensions", {}).get(_EDGES)
-        if said is None:
+        """The edges that are always drawn, if a part says which: those of bits, line strings or an outline."""
+        extensions = part.get("extensions", {})
+        said, outline = extensions.get(_EDGES, {}), extensions.get(_OUTLINE)
+        if _EDGES not in extensions and outline is None:
             return None
         hard: List[Integers] = []
+        if outline is not None:
+            ends = self._accessor(outline["indices"])[:, 0].astype(np.int64)
+            hard.append(ends[: len(ends) // 2 * 2].reshape(-1, 2))
         if "visibility" in said:
             coded = self._accessor(said["visibility"])[:, 0].astype(np.uint8)
             if 4 * len(coded) < 3 * len(triangles):

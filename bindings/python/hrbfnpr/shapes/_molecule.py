@@ -15,7 +15,7 @@ from ._table import at, shown
 
 # The count of atoms, a line with any text, and the first atom: a symbol and three numbers.
 XYZ_MAGIC = (
-    rb"[ \t]*\d{1,9}[ \t]*\r?\n[^\n]*\n[ \t]*[A-Z][A-Za-z]?\d{0,3}(?:[ \t]+[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?){3}\s"
+    rb"[ \t]*\d{1,9}[ \t]*\r?\n[^\n]*\n[ \t]*[A-Za-z]{1,2}\d{0,3}(?:[ \t]+[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?){3}\s"
 )
 PDB_MAGIC = rb"(?:(?!ATOM  |HETATM)[A-Z][A-Z0-9]{2,5}\b[^\n]*\n|\s)*(?:ATOM  |HETATM)[ \d]{4}[\dA-Za-z*] "
 _RADII = {
@@ -113,4 +113,4 @@ def _shape(places: List[Tuple[float, float, float]], symbols: List[str], form: s
     if not good.all():
         notes.append(f"{int((~good).sum())} atoms without a finite place left out")
     radii = np.array([_RADII.get(symbol, _UNKNOWN) for symbol in symbols])
-    return Shape(points[good], format=form, columns=("x", "y", "z"), notes=tuple(notes), radii=radii[good])
+    return Shape(points[good], format=form, columns=("x", "y", "z"), notes=tuple(notes), radii=radii[good], unit="angstroms")

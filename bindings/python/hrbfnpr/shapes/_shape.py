@@ -69,6 +69,8 @@ class Shape:
         Values of the points by name, such as "rgb", "quality" and "intensity", which the option `field` of a drawing names.
     radii : array of float64, shape (n,), or None
         Radii of balls around the points, such as the atoms of a molecule.  The union of the balls is drawn.
+    unit : str
+        The unit of lengths, such as "angstroms", if the file or its format says it; else empty.  Points keep this unit.
     """
 
     points: Floats
@@ -84,6 +86,7 @@ class Shape:
     sharp_edges: Optional[Integers] = None
     fields: Mapping[str, PointValues] = field(default_factory=dict)
     radii: Optional[Floats] = None
+    unit: str = ""
 
     def __post_init__(self) -> None:
         if len(self.points) == 0:

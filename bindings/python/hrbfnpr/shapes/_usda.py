@@ -26,6 +26,7 @@ _DEEPEST = 200  # largest depth of prims inside prims
 _MOST_PLACED = 100_000  # largest number of placed meshes
 _OTHERS = ("Sphere", "Cube", "Cylinder", "Cone", "Capsule", "Points", "BasisCurves", "NurbsPatch", "Plane")
 _SHARP = 1.0  # creases of at least this sharpness are sharp edges
+_UNITS = {1.0: "metres", 0.01: "centimetres", 0.001: "millimetres"}
 _AXES = {"X": 0, "Y": 1, "Z": 2}
 
 
@@ -244,6 +245,8 @@ class _Scene:
 
     def __init__(self, facts: Dict[str, Any]) -> None:
         axis = facts.get("upAxis", "Y")
+        unit = facts.get("metersPerUnit", 0.01)  # the default of the format
+        self._unit = _UNITS.get(unit, f"{unit:g} metres") if isinstance(unit, float) else ""
         self._up = _AXES.get(axis if isinstance(axis, str) else "Y", 1)
         self._points: List[Floats] = []
         self._triangles: List[Integers] = []
@@ -264,7 +267,7 @@ class _Scene:
         return Shape(
             np.concatenate(self._points), None, np.concatenate(self._triangles), "USDA", ("x", "y", "z"), up, notes,
             sharp_edges=np.concatenate(self._sharp) if self._sharp else None,
-            fields={} if colour is None else {COLOUR: colour},
+            fields={} if colour is None else {COLOUR: colour}, unit=self._unit,
         )  # fmt: skip
 
     def _leave_out(self, what: str) -> None:
