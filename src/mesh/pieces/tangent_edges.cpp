@@ -56,7 +56,9 @@ struct Beside {
     bool is_steady = false; // whether the curvature is the same farther on
 };
 
-Beside look_beside(const TangentTask& task, std::int64_t side) noexcept {
+// `is_polygon` tells whether the face belongs to a flat polygon of several faces. The width of a single triangle is its
+// height, because the walk leaves it before its tip.
+Beside look_beside(const TangentTask& task, std::int64_t side, bool is_polygon) noexcept {
     const HalfEdgeMesh& sided = task.sided;
     const double enough = tuned.reach * sided.height(side);
     int count = 0; // the number of bends
@@ -81,7 +83,7 @@ Beside look_beside(const TangentTask& task, std::int64_t side) noexcept {
             turn += last_bend;
             return true;
         });
-    seen.width = count > 0 ? std::max(first, sided.height(side)) : walked;
+    seen.width = count == 0 ? walked : is_polygon ? first : std::max(first, sided.height(side));
     if (count > 0 && !is_known) seen.curvature = curvature_up_to(walked);
     return seen;
 }
@@ -101,8 +103,11 @@ bool ends_flat(double bend, const Beside& flat, const Beside& bent, bool is_poly
     if (!is_polygon && flat.width < tuned.surely_wide * bent.width) return false;
     const double expected = 0.5 * bent.width * bent.curvature;
     if (!(bend * expected > 0.0) || std::abs(expected) <= least_bend) return false;
-    const double most = tuned.off_of_edge * std::min(1.0, flat.width / bent.width);
-    if (!(std::abs(bend / expected - 1.0) <= most)) return false;
+    const double off = std::abs(bend / expected - 1.0);
+    if (!(off <= tuned.off_of_edge * std::min(1.0, flat.width / bent.width))) return false;
+    // Beyond a narrow plane the mesh may bend again. Only exact bends show then that it is a plane.
+    const bool stays_flat = std::abs(flat.curvature) <= tuned.stays_flat * std::abs(bent.curvature);
+    if (!stays_flat && !(bent.is_steady && off <= tuned.off_of_exact)) return false;
     found.expected = expected;
     found.width = bent.width;
     return true;
@@ -126,8 +131,8 @@ base::Array<Candidate> find_candidates(const TangentTask& task) {
     base::Array<Candidate> found(task.work.memory);
     for_plain_edges(sided, task.work, [&](std::int64_t side, std::int64_t other) {
         if (task.is_flat(side)) return;
-        const Beside here = look_beside(task, side), there = look_beside(task, other);
         const bool is_one_here = faces[side / 3] >= 2, is_one_there = faces[other / 3] >= 2;
+        const Beside here = look_beside(task, side, is_one_here), there = look_beside(task, other, is_one_there);
         const double bend = sided.bend[side];
         const double least = task.flat_at(side);
         Candidate candidate{side, sided.length(side), bend, 0.0, 0.0};
@@ -193,7 +198,9 @@ struct LineLengths {
 };
 
 // Judges lines as wholes, because single edges of irregular meshes are unsure.
-bool is_tangent_line(const base::Array<Candidate>& candidates, const base::Array<std::int64_t>& line) noexcept {
+// `is_anchored` tells whether a line goes from one crease or border to another, so that it cannot be longer.
+bool is_tangent_line(const base::Array<Candidate>& candidates, const base::Array<std::int64_t>& line,
+                     bool is_anchored) noexcept {
     double length = 0.0, bend = 0.0, expected = 0.0, width = 0.0, off = 0.0;
     for (const std::int64_t i : line) {
         const Candidate& one = candidates[i];
@@ -203,7 +210,8 @@ bool is_tangent_line(const base::Array<Candidate>& candidates, const base::Array
         width += one.length * one.width;
         off += one.length * std::abs(one.bend / one.expected - 1.0);
     }
-    const double shortest = off <= tuned.off_of_exact * length ? tuned.shortest_exact : tuned.shortest;
+    const bool is_exact = off <= tuned.off_of_exact * length;
+    const double shortest = is_exact && is_anchored ? 0.0 : is_exact ? tuned.shortest_exact : tuned.shortest;
     return std::abs(bend / expected - 1.0) <= tuned.off_of_line && length * length >= shortest * width;
 }
 
@@ -219,9 +227,19 @@ base::Array<std::int64_t> find_tangent_edges(const base::Work& work, const Mesh&
     const base::Array<Candidate> candidates = find_candidates(task);
     base::Array<LineLengths> of_component(work.memory,
                                           1 + *std::max_element(mesh.component.begin(), mesh.component.end()));
+    base::Array<std::uint8_t> at_end(work.memory, mesh.vertex.size()); // 1 for the vertices of creases and borders
+    for (std::int64_t side = 0; side < sided.beyond.size(); ++side)
+        if (sided.beyond[side] < 0) at_end[sided.start(side)] = at_end[sided.start(HalfEdgeMesh::next(side))] = 1;
+    const auto is_anchored = [&](const base::Array<std::int64_t>& line) {
+        int anchors = 0;
+        for (const std::int64_t i : line)
+            for (const std::int64_t end : {candidates[i].side, HalfEdgeMesh::next(candidates[i].side)})
+                anchors += at_end[sided.start(end)];
+        return anchors >= 2;
+    };
     base::Array<std::int64_t> found(work.memory);
     follow_chains(task, candidates, [&](const base::Array<std::int64_t>& line) {
-        const bool is_one = is_tangent_line(candidates, line);
+        const bool is_one = is_tangent_line(candidates, line, is_anchored(line));
         LineLengths& lengths = of_component[mesh.component[candidates[line[0]].side / 3]];
         for (const std::int64_t i : line) {
             (is_one ? lengths.accepted : lengths.rejected) += candidates[i].length;

@@ -55,6 +55,9 @@ struct TangentTuning {
     // curvature varies.
     double off_of_edge = 0.6;
     double off_of_line = 0.3;
+    // Beyond its first face, the flat side may have at most this share of the curvature of the other side. Larger: more
+    // edges beside a change of curvature count, too.
+    double stays_flat = 0.35;
     // A single triangle is flat if it is this many times as wide as the faces beyond the edge. Larger: cones have fewer
     // tangent edges.
     double surely_wide = 3.0;

@@ -5,6 +5,7 @@
 #include "base/status.h"
 #include "mesh/meshes.h"
 #include "mesh/sample.h"
+#include "support/rounded_meshes.h"
 #include "support/runtime.h"
 #include "support/sharp_meshes.h"
 
@@ -213,6 +214,26 @@ TEST(FitPieces, KeepChamfersFlatNextToConeTips) {
         const double off = plate.value({x, 0.5, 3.1});
         EXPECT_LT(std::abs(off), 1e-3 * plate.shape.bounds.diagonal()) << x;
     }
+}
+
+// Tips of cones are points, also if rings of faces lead to them, and nothing sticks out beyond them.
+TEST(FitPieces, MakeTheTipsOfConesSharp) {
+    for (const double height : {0.6, 2.5})
+        for (const int rings : {1, 20})
+            for (const int around : {32, 64}) {
+                SCOPED_TRACE(testing::Message() << height << ' ' << rings << ' ' << around);
+                std::vector<test::ProfilePoint> profile{{0.0, 0.0}};
+                for (int i = 0; i <= rings; ++i) {
+                    const double share = static_cast<double>(i) / rings;
+                    profile.push_back({i == rings ? 0.0 : 1.0 - share, height * share});
+                }
+                const Fitted cone(test::turned_part(profile, around));
+                const double diagonal = cone.shape.bounds.diagonal();
+                for (double below = 8e-4; below < 0.05; below *= 1.2)
+                    EXPECT_LT(cone.value({0.0, 0.0, height - below * diagonal}), 0.0) << below;
+                for (double above = 1e-4; above < 0.05; above *= 1.2)
+                    EXPECT_GT(cone.value({0.0, 0.0, height + above * diagonal}), 0.0) << above;
+            }
 }
 
 // A ball of few faces beside a box of many. Each part gets as many centres as it needs.

@@ -10,8 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace tangent_edges_test {
 
@@ -59,6 +61,35 @@ Triangles in_single_precision(Triangles mesh) {
     return mesh;
 }
 
+using ProfilePoint2 = std::array<double, 2>;
+
+// Adds an arc to an outline, without a first point that the outline has already. Angles are in quarters of a turn.
+void add_arc2(std::vector<ProfilePoint2>& outline, double x, double y, double radius, double from, double to,
+              int parts) {
+    for (int i = 0; i <= parts; ++i) {
+        const double angle = 1.5707963267948966 * (from + (to - from) * i / parts);
+        const ProfilePoint2 p{x + radius * std::cos(angle), y + radius * std::sin(angle)};
+        const auto is_at = [&](const ProfilePoint2& other) {
+            return std::hypot(p[0] - other[0], p[1] - other[1]) < 1e-9;
+        };
+        if (outline.empty() || !(is_at(outline.back()) || is_at(outline.front()))) outline.push_back(p);
+    }
+}
+
+// A wall of some height over a convex outline, with its two ends.
+Triangles extruded(const std::vector<ProfilePoint2>& outline, double height) {
+    Triangles mesh;
+    std::vector<std::vector<std::int32_t>> rows(2);
+    for (const double z : {0.0, height})
+        for (const ProfilePoint2& p : outline) rows[z > 0.0 ? 1 : 0].push_back(mesh.add(p[0], p[1], z));
+    test::join_rows(mesh, rows[0], rows[1], false);
+    for (std::size_t i = 2; i < outline.size(); ++i) {
+        mesh.face(rows[0][0], rows[0][i], rows[0][i - 1]);
+        mesh.face(rows[1][0], rows[1][i - 1], rows[1][i]);
+    }
+    return mesh;
+}
+
 TEST(TangentEdges, BoundTheFilletsOfABox) {
     for (const int parts : {3, 4, 6, 12, 24})
         for (const bool other_diagonal : {false, true})
@@ -90,6 +121,20 @@ TEST(TangentEdges, AreTheEndsOfTheCylinderOfACapsule) {
         }
 }
 
+// A slot between flat ends, whose edges are shorter than its faces are wide, and a wall of two radii.
+TEST(TangentEdges, GoFromCreaseToCrease) {
+    std::vector<ProfilePoint2> slot;
+    add_arc2(slot, 30.0, 0.0, 10.0, -1.0, 1.0, 12);
+    add_arc2(slot, -30.0, 0.0, 10.0, 1.0, 3.0, 12);
+    EXPECT_NEAR(Found(extruded(slot, 2.0)).length(), 4.0 * 2.0, 1e-9);
+    EXPECT_NEAR(Found(extruded(slot, 20.0)).length(), 4.0 * 20.0, 1e-9);
+    std::vector<ProfilePoint2> egg;
+    add_arc2(egg, 0.0, 0.0, 20.0, -1.0, 1.0, 40);
+    add_arc2(egg, 0.0, 10.0, 10.0, 1.0, 2.0, 12);
+    add_arc2(egg, 0.0, -10.0, 10.0, 2.0, 3.0, 12);
+    EXPECT_NEAR(Found(extruded(egg, 40.0)).length(), 4.0 * 40.0, 1e-9);
+}
+
 TEST(TangentEdges, RoundShapesHaveNone) {
     EXPECT_EQ(Found(test::icosphere(3)).sides.size(), 0);
     EXPECT_EQ(Found(test::torus(40, 24, 0.4)).sides.size(), 0);
@@ -97,6 +142,9 @@ TEST(TangentEdges, RoundShapesHaveNone) {
     EXPECT_EQ(Found(test::socket(96)).sides.size(), 0);
     EXPECT_EQ(Found(test::box(1.0, 2.0, 3.0, 4)).sides.size(), 0);
     EXPECT_EQ(Found(test::gear(16, 2)).sides.size(), 0);
+    std::vector<test::ProfilePoint> cone{{0.0, 0.0}};
+    for (int i = 0; i <= 20; ++i) cone.push_back({i == 20 ? 0.0 : 10.0 - 0.5 * i, 1.25 * i});
+    EXPECT_EQ(Found(test::turned_part(cone, 64)).sides.size(), 0);
 }
 
 TEST(TangentEdges, NoiseHasNone) {
