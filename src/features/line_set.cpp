@@ -80,6 +80,31 @@ SurfaceLines own_lines(const base::Work& work, const implicit::Implicit& surface
     return lines;
 }
 
+// ---- Triangles of the caller
+
+// Returns whether the cells of a mesh miss much of the surface.
+bool is_torn(const SurfaceMesh& mesh) noexcept {
+    return mesh.missed_seeds > 0 ||
+           static_cast<double>(mesh.turned) > feature_tuning.torn_share * static_cast<double>(mesh.triangles());
+}
+
+// Returns whether nearly all vertices are on the surface that a mesh of cells approximates. Vertices inside other
+// solids are not.
+bool are_on_surface(const base::Work& work, const implicit::Implicit& surface, const GivenTriangles& triangles,
+                    const SurfaceMesh& mesh) {
+    geometry::VecArray place(work.memory);
+    for (const glm::dvec3& vertex : triangles.vertex)
+        place.push_back(glm::clamp(vertex, mesh.region.min, mesh.region.max));
+    base::Array<double> value(work.memory, place.size());
+    geometry::VecArray gradient(work.memory, place.size());
+    implicit::evaluate_all(work, surface, place,
+                           {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}});
+    std::int64_t off = 0;
+    for (std::int64_t i = 0; i < place.size(); ++i)
+        off += std::abs(value[i]) <= mesh.side * glm::length(gradient[i]) ? 0 : 1;
+    return static_cast<double>(off) <= feature_tuning.vertices_off * static_cast<double>(place.size());
+}
+
 // ---- The border
 
 constexpr int most_rounds = 6; // each round halves the pieces that turn too much
@@ -415,7 +440,7 @@ void LineSet::make_mesh(const base::Work& work, const LineSetSettings& settings)
             !automatic || 4 * mesh_->triangles() > feature_tuning.most_triangles_of_finer || mesh.side >= last;
         const bool missed = mesh_->missed_seeds > 0;
         if (surface_.sheets() != nullptr && (last_one || !missed)) split_mesh(work);
-        if (is_thin() && use_triangles(work, settings.triangles)) break;
+        if (is_torn(*mesh_) && use_triangles(work, settings.triangles)) break;
         if (last_one || !is_thin()) break;
         last = mesh.side;
         mesh.side *= 0.5;
@@ -446,11 +471,12 @@ void LineSet::cut_mesh(const base::Work& work) {
 }
 
 bool LineSet::use_triangles(const base::Work& work, const GivenTriangles& triangles) {
-    if (triangles.empty()) return false;
+    if (triangles.empty() || !are_on_surface(work, surface_, triangles, *mesh_)) return false;
     GivenMeshSettings settings;
     settings.region = mesh_->region;
     settings.side = mesh_->side;
-    settings.strip = domain_ != nullptr ? feature_tuning.strip * mesh_->side : 0.0;
+    if (domain_ != nullptr)
+        settings.strip = feature_tuning.strip * (domain_->closest() > 0.0 ? domain_->closest() : mesh_->side);
     settings.triangle_limit = feature_tuning.most_triangles;
     const auto share = [](const SurfaceMesh& mesh) {
         return static_cast<double>(mesh.turned) / static_cast<double>(std::max<std::int64_t>(mesh.triangles(), 1));

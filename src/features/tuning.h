@@ -118,9 +118,13 @@ struct FeatureTuning {
     double turned_share = 2e-4;
     double torn_share = 2e-2;
     std::int64_t most_triangles_of_finer = 1'200'000;
-    // The width of the strips along the border of given triangles, in sides. Larger: the border may be farther from
-    // that of the triangles.
-    double strip = 2.0;
+    // Given triangles are not used if more than this share of their vertices is farther than a side from the surface.
+    // Larger: meshes whose solids cross take minutes.
+    double vertices_off = 0.01;
+    // The width of the strips along the border of given triangles, in least spacings of the samples that end the
+    // surface, or else in sides. Larger: the end may be farther from the border of the triangles, but strips of thin
+    // walls meet.
+    double strip = 1.5;
     // Parts with fewer triangles than this are traced by one thread each. Larger: more threads wait at the end for the
     // last part.
     std::int64_t small_part = 20'000;
