@@ -305,6 +305,7 @@ private:
         add_page(calls, "page.svg", HRBFNPR_PAGE_FORMAT_SVG);
         add_page(calls, "page.pdf", HRBFNPR_PAGE_FORMAT_PDF);
         add_page(calls, "page.hpgl", HRBFNPR_PAGE_FORMAT_HPGL);
+        add_page(calls, "page.dxf", HRBFNPR_PAGE_FORMAT_DXF);
     }
 
     void add_frame(std::vector<LongCall>& calls, const char* name, bool lines) {

@@ -3692,8 +3692,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint3
 /* Writes a page, one buffer at a time.  Memory grows with the drawing's largest stroke; in plot order it grows with the
  * largest group.  `info` and `operation` may be NULL.
  * Errors: INVALID_ARGUMENT (no drawing and no annotation; an empty page; a text that is not UTF-8; a drawing with
- * VISIBILITY_PUBLISHED, which has discs of paper, for plotters, in DXF or in plot order), IO (`write` failed), OUT_OF_MEMORY,
- * CANCELLED, CALLBACK. */
+ * VISIBILITY_PUBLISHED, which has discs of paper, for plotters, in DXF or in plot order), IO (`write` failed),
+ * OUT_OF_MEMORY, CANCELLED, CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_page_write(hrbfnpr_context* context, const hrbfnpr_page_desc* desc,
                                               hrbfnpr_write_fn write, void* user, hrbfnpr_page_info* info,
                                               hrbfnpr_operation* operation, hrbfnpr_error* error);

@@ -807,6 +807,7 @@ def vectors(kept: Kept) -> Result:
         result.update(page(f"{name}.classes", drawing, format="pdf", widths="classes", dots="lines"))
         result.update(page(f"{name}.hpgl", drawing, format="hpgl"))
         result.update(page(f"{name}.gcode", drawing, format="gcode", single_pass=True))
+        result.update(page(f"{name}.dxf", drawing, format="dxf", pens=[hrbfnpr.Pen("", 0.3)]))
         result.update(page(f"{name}.spirals", drawing, format="svg", dots="spirals", plot_order=True))
     return result
 

@@ -16,8 +16,8 @@ struct Export {
     Size size;
 };
 
-// The ending of the name decides: .png, .svg, .pdf, .hpgl, .gcode and .dxf write a picture, .hrbf the model, .hrbm the marks,
-// .json the settings.
+// The ending of the name decides: .png, .svg, .pdf, .hpgl, .gcode and .dxf write a picture, .hrbf the model, .hrbm the
+// marks, .json the settings.
 void write_export(const Export& what, const std::string& path, Work& work);
 // Writes one turn of the camera in `frames` pictures.
 void write_turntable(const Export& what, const std::string& pattern, int frames, Work& work);

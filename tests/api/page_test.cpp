@@ -117,6 +117,9 @@ TEST_F(PageTest, RefusesInvalidDescriptors) {
     with(&hrbfnpr_page_desc::title, "\xFF", "page_desc.title is not UTF-8");
     with(&hrbfnpr_page_desc::item_count, std::int64_t{0}, "page_desc has no items and no annotations");
     with(&hrbfnpr_page_desc::item_count, std::int64_t{-1}, "page_desc.item_count");
+    with(&hrbfnpr_page_desc::curves, 3U, "page_desc.curves");
+    with(&hrbfnpr_page_desc::longest, 0.5, "page_desc.longest is 0.5; it must be 0 for no limit, or 1 to 1e+06");
+    with(&hrbfnpr_page_desc::longest, nan, "page_desc.longest");
     const auto put = [&](auto member, auto value, const char* part) {
         const hrbfnpr_page_item before = item;
         item.*member = value;
@@ -184,6 +187,8 @@ TEST_F(PageTest, WritesPaperDiscsInDrawingOrder) {
     desc.flags = 0;
     desc.format = HRBFNPR_PAGE_FORMAT_HPGL;
     refused("PUBLISHED");
+    desc.format = HRBFNPR_PAGE_FORMAT_DXF;
+    refused("which DXF does not have");
 }
 
 } // namespace

@@ -182,6 +182,7 @@ save out.svg
 save out.pdf
 save out.hpgl
 save out.gcode
+save out.dxf
 save out.hrbf
 save out.hrbm
 record turn-%02d.png 3 120 90
@@ -262,7 +263,8 @@ def check_paint(view, printed):
 def check_exports(view):
     root = xml.etree.ElementTree.fromstring(view.text("out.svg"))
     check("the SVG has no paths", any(element.tag.endswith("path") for element in root.iter()))
-    begins = {"out.pdf": b"%PDF-1.5", "out.hpgl": b"IN", "out.gcode": b"", "out.hrbf": b"\x89HRB", "out.hrbm": b"\x89HRB"}
+    begins = {"out.pdf": b"%PDF-1.5", "out.hpgl": b"IN", "out.gcode": b"", "out.dxf": b"999\n",
+              "out.hrbf": b"\x89HRB", "out.hrbm": b"\x89HRB"}
     for name, begin in begins.items():
         data = (view.work / name).read_bytes()
         check(f"{name} is not what it should be: {data[:20]!r}", data.startswith(begin) and len(data) > 200)

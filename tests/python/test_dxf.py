@@ -83,7 +83,8 @@ def test_layers_pens_and_texts(model):
     rule = next(entity for entity in document.modelspace() if entity.dxf.layer == "rule_ 1")
     assert rule.dxf.ltscale == 0.5 and tuple(rule.dxf.start) == (5, 30, 0)
     text = next(entity for entity in document.modelspace() if entity.dxftype() == "TEXT")
-    assert re.sub(r"\\U\+(....)", lambda code: chr(int(code[1], 16)), text.dxf.text) == "Größe 5 × 7 mm" and text.dxf.height == 4
+    words = re.sub(r"\\U\+(....)", lambda code: chr(int(code[1], 16)), text.dxf.text)
+    assert words == "Größe 5 × 7 mm" and text.dxf.height == 4
     assert document.units == 4 and document.header["$EXTMAX"][:2] == (100, 100)
 
 

@@ -48,7 +48,7 @@ struct Dxf {
     std::vector<std::string> comments;
     std::map<std::string, std::string> header;
     std::map<std::string, std::vector<Record>> sections;
-    std::vector<std::string> order; // of the sections
+    std::vector<std::string> order; // the names of the sections
 
     [[nodiscard]] const std::vector<Record>& entities() const { return sections.at("ENTITIES"); }
     [[nodiscard]] std::map<std::string, Record> entries(const std::string& type) const {

@@ -682,10 +682,10 @@ private:
     base::Array<DxfLayer> layers_;
     const DxfLayer* layer_ = nullptr; // the layer of the current group
     std::int64_t next_handle_ = free_handle;
-    double width_ = 0.0, opacity_ = 1.0; // of the current entity
+    double width_ = 0.0, opacity_ = 1.0; // the current entity's
     dvec2 start_{0.0}, at_{0.0};
     bool closed_ = false;
-    base::Array<CurvePiece> pieces_; // of the current line
+    base::Array<CurvePiece> pieces_; // the current line's
     base::Array<glm::dvec3> lines_;  // x, y and the radius of a line of varying width
     base::Array<PagePoint> ribbon_;
     base::Array<std::uint8_t> keeps_;

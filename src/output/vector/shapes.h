@@ -284,8 +284,8 @@ private:
     }
 
     ShapeSettings settings_;
-    geometry::CurveFit fit_; // of the sides of outlines
-    CurvePieces curves_;     // of lines
+    geometry::CurveFit fit_; // fits the sides of outlines
+    CurvePieces curves_;     // fits lines
     base::Array<glm::dvec2> line_;
     base::Array<PagePoint> part_;
     base::Array<Side> sides_;

@@ -120,8 +120,8 @@ struct ArcTuning {
     // A single line may use the whole tolerance if the best arc's squared error is not smaller by this factor. Larger:
     // more lines, also where the curve bends evenly.
     double least_gain = 4.0;
-    // Such arcs and lines meet at angles of at most this, in radians, and each arc turns by more than this. Larger: more
-    // arcs, with visible corners. Set with share_of_several on sheets of a slotted link and a bush.
+    // Such arcs and lines meet at angles of at most this, in radians, and each arc turns by more than this. Larger:
+    // more arcs, with visible corners. Set with share_of_several on sheets of a slotted link and a bush.
     double widest_kink = 0.1;
     // The largest sweep of an arc in SVG, in radians. An arc is given by its radius there, so its centre is uncertain
     // near half a turn.

@@ -1583,8 +1583,7 @@ export interface Functions {
    * Errors: INVALID_ARGUMENT (no drawing and no annotation; an empty page; a text that is not UTF-8; a drawing
    * with
    * VISIBILITY_PUBLISHED, which has discs of paper, for plotters, in DXF or in plot order), IO (`write` failed),
-   * OUT_OF_MEMORY,
-   * CANCELLED, CALLBACK.
+   * OUT_OF_MEMORY, CANCELLED, CALLBACK.
    */
   hrbfnpr_page_write(context: Pointer, desc: Pointer, write: Pointer, user: Pointer, info: Pointer, operation: Pointer, error: Pointer): number;
   /**

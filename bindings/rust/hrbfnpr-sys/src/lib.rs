@@ -5416,8 +5416,8 @@ extern "C" {
     /// Errors: INVALID_ARGUMENT (no drawing and no annotation; an empty page; a text that is not
     /// UTF-8; a drawing with
     /// VISIBILITY_PUBLISHED, which has discs of paper, for plotters, in DXF or in plot order), IO
-    /// (`write` failed), OUT_OF_MEMORY,
-    /// CANCELLED, CALLBACK.
+    /// (`write` failed),
+    /// OUT_OF_MEMORY, CANCELLED, CALLBACK.
     pub fn hrbfnpr_page_write(
         context: *mut hrbfnpr_context,
         desc: *const hrbfnpr_page_desc,
