@@ -239,6 +239,16 @@ def lattice():
     return mf3_model().replace("</mesh>", more + "</mesh>")
 
 
+def slices():
+    """The XML of a 3MF file with a cube of two slices, in place of the cube."""
+    corners = "".join(f'<s:vertex x="{x}" y="{y}"/>' for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)))
+    polygon = '<s:polygon startv="0">' + "".join(f'<s:segment v2="{to}"/>' for to in (1, 2, 3, 0)) + "</s:polygon>"
+    levels = "".join(f'<s:slice ztop="{top}"><s:vertices>{corners}</s:vertices>{polygon}</s:slice>' for top in (0.5, 1))
+    stack = f'<s:slicestack id="9" zbottom="0">{levels}</s:slicestack>'
+    model = mf3_model().replace("<resources>", f"<resources>{stack}")
+    return model.replace('<object id="1"', '<object id="1" s:slicestackid="9" s:meshresolution="lowres"')
+
+
 def npy():
     data = io.BytesIO()
     np.save(data, np.arange(120.0).reshape(10, 12)[:, :10])
@@ -291,7 +301,7 @@ def files():
         "cube.gltf": gltf(), "cube.glb": glb(*gltf_document()),
         "packed.glb": glb(*packed_document()), "little.off": off_binary(), "big.off": off_binary(">"),
         "cube.las": las(), "cube_4.las": las(4), "grid.asc": grid(), "text.pgm": pgm(False), "binary.pgm": pgm(True),
-        "classes.las": las(4, 6), "heights.npy": npy(), "heights.npz": npz(), "beams.3mf": mf3(lattice()),
+        "classes.las": las(4, 6), "heights.npy": npy(), "heights.npz": npz(), "beams.3mf": mf3(lattice()), "slices.3mf": mf3(slices()),
         "stream.off": off().replace(b" ", b"\n"), "map.csv": ("Lat,Lon,Height\n" + rows(VERTICES, mark=",")).encode(),
         "laser.txt": ("# 1: shot\n# 2: x\n# 3: y\n# 4: z [m]\n" + rows([(i,) for i in range(8)], VERTICES)).encode(),
         "windows.obj": obj().replace(b"v 0", b"v 1.#IND"), "cube.3mf": mf3(), "cube.amf": amf(), "cube.ptx": ptx(),

@@ -159,18 +159,77 @@ def test_undeclared_paths_keep_their_meaning(tmp_path):
 SLICES = 'xmlns:s="http://schemas.microsoft.com/3dmanufacturing/slice/2015/07"'
 
 
-def test_meshes_that_stand_in_for_slices_are_refused(tmp_path):
-    def sliced(said, model=mf3_model(), head=SLICES):
-        return mf3(model.replace('<object id="1"', f'<object id="1" {said}').replace("<model ", f"<model {head} "))
+def disc(radius, turn=1, corners=60):
+    angle = turn * 2 * np.pi * np.arange(corners) / corners
+    return np.column_stack([5 + radius * np.cos(angle), radius * np.sin(angle)])
 
-    assert len(shapes.read(write(tmp_path, "a.3mf", sliced('s:slicestackid="9"'))).triangles) == 12  # the mesh is exact
-    for data in (
-        sliced('s:slicestackid="9" s:meshresolution="lowres"'),
-        sliced('s:slicestackid="9" s:meshresolution="lowres"', head=""),
-        sliced('s:slicestackid="9"', mf3_model().replace("mesh>", "nothing>")),
-    ):
-        with pytest.raises(shapes.ShapeError, match="object '1' of the 3MF file is made of slices"):
-            shapes.read(write(tmp_path, "a.3mf", data))
+
+def stack(levels, number=9, bottom=1.0, more=""):
+    """A stack of slices: for each level its upper end and its polygons."""
+    slices = ""
+    for top, polygons in levels:
+        corners = "".join(f'<s:vertex x="{x}" y="{y}"/>' for polygon in polygons for x, y in polygon.tolist())
+        first, lines = 0, ""
+        for polygon in polygons:
+            ends = [*range(first + 1, first + len(polygon)), first]
+            lines += f'<s:polygon startv="{first}">' + "".join(f'<s:segment v2="{end}"/>' for end in ends) + "</s:polygon>"
+            first += len(polygon)
+        slices += f'<s:slice ztop="{top}"><s:vertices>{corners}</s:vertices>{lines}</s:slice>'
+    return f'<s:slicestack id="{number}" zbottom="{bottom}">{more}{slices}</s:slicestack>'
+
+
+def sliced(stacks, said='s:slicestackid="9" s:meshresolution="lowres"', head=SLICES, model=None):
+    model = (model or mf3_model()).replace('<object id="1"', f'<object id="1" {said}').replace("<model ", f"<model {head} ")
+    return model.replace("<resources>", f"<resources>{stacks}")
+
+
+TUBE = [(2.0, [disc(2), disc(1, -1)]), (3.0, [disc(2)])]  # a cup that is upside down
+
+
+@pytest.mark.parametrize("how", ["plain", "no prefix", "no mesh", "other part", "moved"])
+def test_slices_are_stacked(tmp_path, how):
+    more, model = [], sliced(stack(TUBE), head="" if how == "no prefix" else SLICES)
+    if how == "no mesh":
+        model = sliced(stack(TUBE), 's:slicestackid="9"', model=mf3_model().replace("mesh>", "nothing>"))
+    if how == "moved":
+        model = model.replace('<item objectid="1"', f'<item objectid="1" {MOVED}')
+    if how == "other part":
+        more = [("2D/a.model", f'<model xmlns="{CORE}" {SLICES}><resources>{stack(TUBE, 4)}</resources></model>')]
+        model = sliced(stack([], more='<s:sliceref slicestackid="4" slicepath="/2D/a.model"/>'))
+    shape = shapes.read(write(tmp_path, "a.3mf", mf3(model, more=more)))
+    facts = shapes.mesh_facts(shape)
+    assert facts.closed and facts.components == 1 and not facts.inside_out
+    assert volume(shape) == pytest.approx(np.pi * (4 - 1) + np.pi * 4, rel=0.02)
+    place = np.array([5, 6, 7]) if how == "moved" else 0
+    np.testing.assert_allclose(shape.points.min(axis=0), np.array([3, -2, 1]) + place, atol=0.05)
+    np.testing.assert_allclose(shape.points.max(axis=0), np.array([7, 2, 3]) + place, atol=0.05)
+    assert shape.notes == ("object 1 is made of 2 slices: they are stacked, in cells of 0.05",)
+
+
+def test_a_ball_of_slices_is_round(tmp_path):
+    ends = np.linspace(-1, 1, 61)
+    levels = [(top, [disc(np.sqrt(1 - ((top + low) / 2) ** 2))]) for low, top in zip(ends, ends[1:])]
+    shape = shapes.read(write(tmp_path, "a.3mf", mf3(sliced(stack(levels, bottom=-1.0)))))
+    assert np.abs(np.linalg.norm(shape.points - [5, 0, 0], axis=1) - 1).max() < 0.03
+
+
+def test_an_exact_mesh_comes_before_its_slices(tmp_path):
+    shape = shapes.read(write(tmp_path, "a.3mf", mf3(sliced(stack(TUBE), 's:slicestackid="9"'))))
+    assert len(shape.triangles) == 12 and shape.notes == ()
+
+
+@pytest.mark.parametrize("stacks, words", [
+    ("", "names the slices '9', which 3D/3dmodel.model does not have"),
+    (stack([]), "object '1' of the 3MF file is made of slices: its slices have no polygons"),
+    (stack([(2.0, [disc(2)]), (1.5, [disc(2)])]), "its slices do not rise"),
+    (stack(TUBE).replace('v2="3"', 'v2="333"', 1), "names a vertex that it lacks; it has 120"),
+    (stack(TUBE).replace('ztop="2.0"', ""), "a slice without ztop"),
+    (stack(TUBE).replace('x="', 'x="nan" b="', 1), "corners that are not finite"),
+    (stack([], more='<s:sliceref slicestackid="9"/>'), "names the slices '9'"),
+])  # fmt: skip
+def test_broken_slices(tmp_path, stacks, words):
+    with pytest.raises(shapes.ShapeError, match=words):
+        shapes.read(write(tmp_path, "a.3mf", mf3(sliced(stacks))))
 
 
 CIRCLE = '<object id="2"><components><component objectid="3"/></components></object>'

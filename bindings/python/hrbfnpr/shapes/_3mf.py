@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Reads 3MF, a format for 3D printers: meshes and lattices of beams, and their places, as XML in a ZIP archive.
+"""Reads 3MF, a format for 3D printers: meshes, lattices of beams and stacks of slices, and their places, as XML in a ZIP archive.
 
 3D Manufacturing Format, core specification 1.3; ``p:path`` refers to other parts of the file (production extension 1.1);
-beams and balls are those of the beam lattice extension 1.2.
+beams and balls are those of the beam lattice extension 1.2, and slices those of the slice extension 1.0.
 """
 from __future__ import annotations
 
@@ -20,6 +20,7 @@ import numpy as np
 
 from ._capsules import MOST_CAPSULES, capsules
 from ._shape import Floats, Integers, Shape, ShapeError, Vector
+from ._slices import Slice, stacked
 from ._table import usual_numbers
 
 UP: Vector = (0.0, 0.0, 1.0)  # the convention of printers
@@ -72,6 +73,7 @@ class _Reader:
     def __init__(self, archive: zipfile.ZipFile) -> None:
         self._archive = archive
         self._objects: Dict[str, Dict[str, Any]] = {}  # the objects of each part that was read
+        self._stacks: Dict[str, Dict[str, Any]] = {}  # the stacks of slices of each part
         self._meshes: Dict[Tuple[str, str], Tuple[Floats, Integers]] = {}
         self._left_out = 0
         self._points: List[Floats] = []
@@ -122,6 +124,7 @@ class _Reader:
         root = self._parsed(part)
         found = root.findall(f"{_CORE}resources/{_CORE}object")
         self._objects[part] = {one.get("id", ""): one for one in found}
+        self._stacks[part] = {one.get("id", ""): one for one in _all(root, "slicestack")}
         return root
 
     def _object(self, placed: _Placed) -> ElementTree.Element:
@@ -144,19 +147,48 @@ class _Reader:
             return
         for component in one.findall(f"{_CORE}components/{_CORE}component"):
             self._place(_placed(component, placed.part, placed.place), depth + 1)
-        self._check_slices(one, placed)
         mesh = one.find(f"{_CORE}mesh")
-        if mesh is not None:
+        said = {_local(name): value for name, value in one.attrib.items()}
+        if "slicestackid" in said and (said.get("meshresolution") == "lowres" or mesh is None):
+            self._stack(placed, said["slicestackid"])  # its mesh, if there is one, only stands in for the slices
+        elif mesh is not None:
             self._add(placed, mesh)
 
-    def _check_slices(self, one: ElementTree.Element, placed: _Placed) -> None:
-        """Refuse an object that is made of slices.  Its mesh, if there is one, may only stand in for them."""
-        said = {_local(name): value for name, value in one.attrib.items()}
-        if "slicestackid" in said and (said.get("meshresolution") == "lowres" or one.find(f"{_CORE}mesh") is None):
-            raise ShapeError(
-                f"object {placed.number!r} of the 3MF file is made of slices, which are not read, and its mesh only stands in "
-                "for them: export it as a mesh"
-            )
+    def _stack(self, placed: _Placed, number: str) -> None:
+        """Add an object that is made of slices."""
+        key = (placed.part, placed.number)
+        if key not in self._meshes:
+            bottom, slices = self._slices(placed.part, number, 0)
+            try:
+                points, triangles, side = stacked(bottom, slices)
+            except ShapeError as error:
+                raise ShapeError(f"object {placed.number!r} of the 3MF file is made of slices: {error}") from None
+            self._meshes[key] = points, triangles
+            self._notes.append(f"object {placed.number} is made of {len(slices)} slices: they are stacked, in cells of {side:.3g}"[:100])
+        self._put(placed, *self._meshes[key])
+
+    def _slices(self, part: str, number: str, depth: int) -> Tuple[float, List[Slice]]:
+        """The lower end of a stack, and its slices.  A stack may refer to those of other parts."""
+        if part not in self._stacks:
+            self._root(part)
+        stack = self._stacks[part].get(number)
+        if stack is None or depth > 1:
+            raise ShapeError(f"the 3MF file names the slices {number!r}, which {part} does not have")
+        bottom, slices = _number(stack.get("zbottom"), 0.0), []
+        for reference in _all(stack, "sliceref"):
+            path = reference.get("slicepath")
+            slices += self._slices(part if path is None else _name(path), reference.get("slicestackid", ""), depth + 1)[1]
+        for one in _all(stack, "slice"):
+            corners = np.array([[_value(corner, axis, number, float) for axis in "xy"] for corner in _all(one, "vertex")])
+            polygons = []
+            for polygon in _all(one, "polygon"):
+                places = [_value(polygon, "startv", number, int), *(_value(to, "v2", number, int) for to in _all(polygon, "segment"))]
+                if not all(0 <= place < len(corners) for place in places):
+                    raise ShapeError(f"a slice of {number!r} of the 3MF file names a vertex that it lacks; it has {len(corners)}")
+                if len(places) > 3 and places[0] == places[-1]:  # others are open
+                    polygons.append(corners[places[:-1]])
+            slices.append(Slice(_value(one, "ztop", number, float), polygons))
+        return bottom, slices
 
     def _add(self, placed: _Placed, mesh: ElementTree.Element) -> None:
         key = (placed.part, placed.number)
@@ -166,7 +198,10 @@ class _Reader:
             self._meshes[key] = points, faces
             if beams is not None:
                 self._meshes[key] = np.concatenate([points, beams[0]]), np.concatenate([faces, beams[1] + len(points)])
-        points, triangles = self._meshes[key]
+        self._put(placed, *self._meshes[key])
+
+    def _put(self, placed: _Placed, points: Floats, triangles: Integers) -> None:
+        """Add a mesh at its place."""
         if len(triangles) == 0:
             return
         if np.linalg.det(placed.place[:3, :3]) < 0:

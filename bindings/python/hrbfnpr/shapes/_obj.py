@@ -240,8 +240,8 @@ def _regrouped(rows: Rows, counts: List[int], kind: str) -> Optional[Rows]:
                 sizes.append(end - start)
                 start = end
             if len(sizes) == sum(counts[:2]) and start == len(values):
-                first = np.cumsum(sizes) - sizes
-                return Rows(rows.values, np.array(sizes, dtype=np.int64), lines[first])
+                wide = np.array(sizes, dtype=np.int64)
+                return Rows(rows.values, wide, lines[np.cumsum(wide) - wide])
     return None
 
 
