@@ -684,3 +684,6 @@ def test_classes_are_an_option_of_drawings(tmp_path, capsys):
     assert main(["draw", str(path), "--classes", "256"]) == 2
     with pytest.raises(ValueError, match="classes are of the points of a LAS or LAZ file"):
         hrbfnpr.draw((POINTS, NORMALS), classes=2)
+    hrbfnpr.Model.fit(NORMALS, NORMALS).save(tmp_path / "a.hrbf")
+    with pytest.raises(ValueError, match="classes are of the points of a LAS or LAZ file, and this is a saved one"):
+        hrbfnpr.draw(tmp_path / "a.hrbf", classes=2)

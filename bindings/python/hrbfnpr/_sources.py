@@ -77,6 +77,8 @@ def read(path: Path, options: Options, context: Context, report: Reporter, is_sc
                 content = shapes.read(path, options.get("classes"))
                 for note in content.notes:
                     report.note(note)
+            elif "classes" in options:
+                raise ValueError("classes are of the points of a LAS or LAZ file, and this is a saved one")
             stage.says = in_words(content)
         return _solid_of(content, context)
     except OutOfMemoryError:

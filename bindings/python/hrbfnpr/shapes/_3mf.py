@@ -174,13 +174,14 @@ class _Reader:
         stack = self._stacks[part].get(number)
         if stack is None or depth > 1:
             raise ShapeError(f"the 3MF file names the slices {number!r}, which {part} does not have")
-        bottom, slices = _number(stack.get("zbottom"), 0.0), []
+        bottom = _number(stack.get("zbottom"), 0.0)
+        slices: List[Slice] = []
         for reference in _all(stack, "sliceref"):
             path = reference.get("slicepath")
             slices += self._slices(part if path is None else _name(path), reference.get("slicestackid", ""), depth + 1)[1]
         for one in _all(stack, "slice"):
             corners = np.array([[_value(corner, axis, number, float) for axis in "xy"] for corner in _all(one, "vertex")])
-            polygons = []
+            polygons: List[Floats] = []
             for polygon in _all(one, "polygon"):
                 places = [_value(polygon, "startv", number, int), *(_value(to, "v2", number, int) for to in _all(polygon, "segment"))]
                 if not all(0 <= place < len(corners) for place in places):
@@ -217,7 +218,9 @@ class _Reader:
         if lattice is None:
             return None
         said = {_local(name): value for name, value in lattice.attrib.items()}
-        ends, radii, flat = [], [], []
+        ends: List[List[int]] = []
+        radii: List[List[float]] = []
+        flat: List[List[bool]] = []
         for beam in _all(lattice, "beam"):
             ends.append([_value(beam, "v1", number, int), _value(beam, "v2", number, int)])
             first = _value(beam, "r1", number, float, said.get("radius"))

@@ -91,7 +91,8 @@ def _says_degrees(file: Any, head: bytes) -> Optional[bool]:
     end = file.seek(0, os.SEEK_END)
     lists = [(size, count, 54, "<20xH")]  # records after the header: an identifier, a length, and the data after a description
     if head[25] >= 4 and len(head) >= 247:
-        lists.append((*struct.unpack_from("<QI", head, 235), 60, "<20xQ"))
+        start, more = struct.unpack_from("<QI", head, 235)
+        lists.append((start, more, 60, "<20xQ"))
     for place, number, fixed, layout in lists:
         for _ in range(min(number, _MOST_RECORDS)):
             if place + fixed > end:
