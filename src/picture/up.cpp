@@ -87,11 +87,12 @@ bool is_terrain(const glm::dvec3& extent, const Points& normals, UpAxis axis) {
 }
 
 // Returns whether the shape is an upright wall. Its normals are level, or nearly level and on one side. Normals that
-// are only nearly level may also be those of gentle ground, if they point along y.
+// are only nearly level may also be those of gentle ground, if they point along y. A normal of length 0 is unknown.
 bool is_wall(const Points& normals) {
     if (normals.empty()) return false;
     const auto level_share = [&](double limit) {
-        return share_of_samples(normals, [limit](const glm::dvec3& n) { return std::abs(n.z) < limit; });
+        return share_of_samples(normals,
+                                [limit](const glm::dvec3& n) { return std::abs(n.z) < limit * glm::length(n); });
     };
     if (level_share(up_tuning.side_told) > up_tuning.view_share) return true;
     const double along_y = mean_along_axis(normals, y_axis);

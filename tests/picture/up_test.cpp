@@ -64,6 +64,12 @@ TEST_F(UpTest, ASphereHasNoUp) {
     expect_up('y', no_sign);
 }
 
+TEST_F(UpTest, UnknownNormalsAreNotLevel) {
+    add_ellipsoid(500, glm::dvec3(0.0), glm::dvec3(1.0));
+    for (glm::dvec3& normal : normals) normal = glm::dvec3(0.0);
+    expect_up('y', no_sign);
+}
+
 TEST_F(UpTest, TooFewPointsHaveNoUp) {
     expect_up('y', no_sign);
     add({1.0, 2.0, 3.0}, {0.0, 0.0, 1.0});
