@@ -33,6 +33,31 @@ struct Given {
     std::vector<std::array<std::int32_t, 3>> triangle;
 };
 
+// Makes the part of the unit sphere with z below 0.5, whose border is a circle.
+Triangles bowl() {
+    constexpr int around = 40;
+    constexpr int rings = 20;
+    Triangles mesh;
+    const std::int32_t pole = mesh.add(0, 0, -1);
+    for (int ring = 1; ring <= rings; ++ring)
+        for (int i = 0; i < around; ++i) {
+            const double down = 2.0 / 3.0 * 3.141592653589793 * ring / rings;
+            const double turn = 2.0 * 3.141592653589793 * i / around;
+            static_cast<void>(
+                mesh.add(std::sin(down) * std::cos(turn), std::sin(down) * std::sin(turn), -std::cos(down)));
+        }
+    for (int i = 0; i < around; ++i) {
+        const int next = (i + 1) % around;
+        mesh.face(pole, 1 + next, 1 + i);
+        for (int ring = 1; ring < rings; ++ring) {
+            const int low = 1 + (ring - 1) * around;
+            mesh.face(low + i, low + next, low + around + next);
+            mesh.face(low + i, low + around + next, low + around + i);
+        }
+    }
+    return mesh;
+}
+
 GivenMeshSettings settings_of(const implicit::Implicit& implicit, double side) {
     GivenMeshSettings settings;
     settings.region = surface::search_region(implicit);
@@ -63,7 +88,7 @@ TEST(GivenMesh, ResolvesWallsThinnerThanCells) {
 TEST(GivenMesh, ContinuesOpenTrianglesByAStrip) {
     const base::Runtime runtime = with_threads(2);
     const Sphere sphere;
-    const Given given(icosphere(4).where([](double, double, double z) { return z < 0.5; }));
+    const Given given(bowl());
     GivenMeshSettings settings = settings_of(sphere, 0.2);
     const Measures without = measure(mesh_of_triangles(runtime, sphere, given.view(), settings), sphere);
     settings.strip = 0.1;
