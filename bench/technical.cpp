@@ -169,6 +169,7 @@ PartDrawing draw(hrbfnpr_context* context, const PartModels& made, const hrbfnpr
             line.width = 1.0F;
             line.taper = 0.0F;
             line.shortest = 0.0F;
+            if (line.kind == HRBFNPR_LINE_KIND_CREASE) line.lower = line.upper = 5.0F; // degrees
             styles.push_back(line);
         }
         const bench::LinesStyle lines(styles);
@@ -261,7 +262,7 @@ std::vector<PiecePlace> places_along(const std::vector<DrawnPiece>& pieces, doub
 }
 
 void judge_pieces(const std::vector<DrawnPiece>& pieces, const TechnicalReference& reference, const glm::dvec3& to_eye,
-                  bool tell, Score& score) {
+                  const char* tell, Score& score) {
     std::vector<int> agree(pieces.size(), 0);
     std::vector<int> differ(pieces.size(), 0);
     for (const PiecePlace& place : places_along(pieces, 8.0)) {
@@ -270,8 +271,8 @@ void judge_pieces(const std::vector<DrawnPiece>& pieces, const TechnicalReferenc
         if (!hidden) continue;
         const bool is_right = *hidden == pieces[place.piece].hidden;
         ++(is_right ? agree : differ)[place.piece];
-        if (!is_right && tell)
-            std::printf("   wrong: kind %u drawn %s at pixel (%.1f %.1f), place (%.4f %.4f %.4f)\n",
+        if (!is_right && tell != nullptr)
+            std::printf("   %s: kind %u drawn %s at pixel (%.1f %.1f), place (%.4f %.4f %.4f)\n", tell,
                         pieces[place.piece].kind, *hidden ? "visible" : "hidden", place.pixel.x, place.pixel.y,
                         place.place.x, place.place.y, place.place.z);
     }
@@ -284,7 +285,7 @@ void judge_pieces(const std::vector<DrawnPiece>& pieces, const TechnicalReferenc
 }
 
 // Counts lengths that lie on another line, in space.
-void count_twice(const std::vector<DrawnPiece>& pieces, double diagonal, Score& score) {
+void count_twice(const std::vector<DrawnPiece>& pieces, double diagonal, bool tell, Score& score) {
     const std::vector<PiecePlace> places = places_along(pieces, 2.0);
     std::map<std::pair<int, int>, std::vector<std::size_t>> cells;
     const auto cell = [](double x) { return static_cast<int>(std::floor(x / 4.0)); };
@@ -305,9 +306,13 @@ void count_twice(const std::vector<DrawnPiece>& pieces, double diagonal, Score& 
                     const double beside = std::abs(away.x * a.way.y - away.y * a.way.x);
                     twice =
                         twice || (beside < 0.3 && glm::length(away) < 2.0 && std::abs(glm::dot(a.way, b.way)) > 0.97 &&
-                                  glm::distance(a.place, b.place) < 4e-3 * diagonal);
+                                  glm::distance(a.place, b.place) < 5e-4 * diagonal);
                 }
-        if (twice) score.twice += 2.0;
+        if (!twice) continue;
+        score.twice += 2.0;
+        if (tell)
+            std::printf("   twice: kind %u at pixel (%.1f %.1f), place (%.4f %.4f %.4f)\n", pieces[a.piece].kind,
+                        a.pixel.x, a.pixel.y, a.place.x, a.place.y, a.place.z);
     }
 }
 
@@ -371,6 +376,7 @@ void measure_part(hrbfnpr_context* context, const TechnicalPart& part, bool tell
     for (const glm::dvec3& direction :
          {glm::dvec3(-0.52, 0.61, -0.45), glm::dvec3(0.35, -0.83, -0.31), glm::dvec3(0.21, 0.4, 0.77)}) {
         const glm::dvec3 sight = glm::normalize(direction);
+        if (tell) std::printf("%s from (%.2f %.2f %.2f)\n", part.name.c_str(), -sight.x, -sight.y, -sight.z);
         scenes::Check check;
         auto camera = scenes::made(hrbfnpr_camera_init);
         const glm::dvec3 up(0.0, 0.0, 1.0);
@@ -381,13 +387,13 @@ void measure_part(hrbfnpr_context* context, const TechnicalPart& part, bool tell
         for (const bool verify : {false, true}) {
             const PartDrawing drawing = draw(context, made, camera, verify);
             Score& score = verify ? verified : drawn;
-            judge_pieces(drawing.pieces, reference, -sight, tell && verify, score);
+            judge_pieces(drawing.pieces, reference, -sight, !tell ? nullptr : verify ? "verified" : "wrong", score);
             score.proved += drawing.info.line_pieces;
             score.proof_agrees += drawing.info.line_agreeing;
             score.proof_undecided += drawing.info.line_undecided;
             score.proof_repaired += drawing.info.line_repaired;
             if (verify) continue;
-            count_twice(drawing.pieces, reference.diagonal, score);
+            count_twice(drawing.pieces, reference.diagonal, tell, score);
             count_missing(drawing.pieces, reference, -sight, tell, score);
             found.merge(classes_in(drawing.pieces));
         }

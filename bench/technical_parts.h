@@ -39,7 +39,11 @@ inline const dvec3 y_axis(0.0, 1.0, 0.0);
     PlainSolid all = floor + wall;
     if (fillet > 0.0) {
         const dvec3 corner(-1.5, 0.0, -0.75);
-        const PlainSolid filled = box(fillet, width, fillet).moved(corner + dvec3(0.5 * fillet, 0.0, 0.5 * fillet));
+        // It reaches into the plates, because faces that coincide would be surfaces inside the solid.
+        const double inside = 0.1;
+        const double middle = 0.5 * (fillet - inside);
+        const PlainSolid filled =
+            box(fillet + inside, width, fillet + inside).moved(corner + dvec3(middle, 0.0, middle));
         const PlainSolid round =
             cylinder(fillet, 2.0 * width).turned(90.0, x_axis).moved(corner + dvec3(fillet, 0.0, fillet));
         all = all + (filled - round);

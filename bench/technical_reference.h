@@ -42,16 +42,19 @@ public:
                 count += meets(p + 2.0 * away * out + std::abs(away) * beside, to_eye) ? 1 : 0;
             return count;
         };
-        const int front = meets_all(margin);
-        if (!part_.is_mesh()) {
-            if (front != 0 && front != 5) return std::nullopt;
-            // A line nearer to the place must say the same.
-            if (meets(p + 0.3 * margin * out, to_eye) != (front == 5)) return std::nullopt;
-            return front == 5;
-        }
-        const int back = meets_all(-margin);
-        if (front == 0 || back == 0) return false;
-        return front == 5 && back == 5 ? std::optional(true) : std::nullopt;
+        // Lines nearer to the place must say the same. Just beyond the place where a line turns away from the eye, the
+        // solid hides it so shallowly that only the nearest line meets it.
+        const auto side_is_hidden = [&](double sign) -> std::optional<bool> {
+            const int count = meets_all(sign * margin);
+            if (count != 0 && count != 5) return std::nullopt;
+            for (const double near : {0.05, 2e-3})
+                if (meets(p + sign * near * margin * out, to_eye) != (count == 5)) return std::nullopt;
+            return count == 5;
+        };
+        const std::optional<bool> front = side_is_hidden(1.0);
+        if (!part_.is_mesh() || !front || !*front) return front;
+        const std::optional<bool> back = side_is_hidden(-1.0); // An open surface may be seen from its other side.
+        return back;
     }
 
     // Returns places on the sharp edges and, for a direction to the eye, on the contours of round faces. They are at

@@ -77,7 +77,13 @@ base::Array<Sighting> look(const ViewSight& sight, const Vector<CurveRun>& runs,
     }
     const base::Work work(lines.runtime(),
                           sight.operation != nullptr ? base::Progress(&sight.operation->operation) : base::Progress());
-    return visibility::look_at(work.without_progress(), {&occluder, 1}, rays);
+    base::Array<Sighting> seen = visibility::look_at(work.without_progress(), {&occluder, 1}, rays);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        Sighting& sighting = seen[static_cast<std::int64_t>(i)];
+        if (runs[places[i].run].hidden && sighting.grazes && sighting.seen == Seen::visible)
+            sighting.seen = Seen::undecided;
+    }
+    return seen;
 }
 
 // Adds places along a run, away from its ends. A short run has one place, in its middle.

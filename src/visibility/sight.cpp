@@ -29,6 +29,8 @@ struct SightSample {
     double value = 0.0, slope = 0.0;
     glm::dvec3 gradient{0.0};
 
+    // Returns the distance of the surface, as the gradient estimates it; infinite where the gradient is 0, such as in
+    // the middle of a ball.
     [[nodiscard]] double distance() const noexcept { return std::abs(value) / glm::length(gradient); }
     [[nodiscard]] double sine() const noexcept { return std::abs(slope) / glm::length(gradient); }
     [[nodiscard]] int sign() const noexcept { return value < 0.0 ? -1 : 1; }
@@ -51,7 +53,9 @@ struct SightRay {
     int sign = 0;           // the sign of f; 0: the ray is still in contact with the surface at its place
     double turned_at = 0.0; // the distance from the start at which f last changed its sign
     double deepest = 0.0;   // the largest distance from the surface since then
+    bool close = false;     // true since the ray came nearer than the margin, until a root or the way out
     bool entered = false;   // true if the last root counts as soon as the ray is far enough from the surface
+    double dip = 0.0;       // how far the ray was inside the solid while it was in contact
     bool doubtful = false;  // true if something is nearer than the margin
     SightSample entry;      // the last root, if `entered`
     Seen seen = Seen::visible;
@@ -112,16 +116,22 @@ private:
     }
 
     // Chooses the next step of the march.
-    void march_on(SightRay& ray, const SightSample& from) const noexcept {
+    void march_on(SightRay& ray, const SightSample& from) const {
         ray.last = from;
         if (ray.sign != 0) {
+            const bool is_close = from.distance() < ray.margin;
+            if (ray.close && !is_close && is_on_surface(ray, from)) ray.doubtful = true;
+            ray.close = is_close && ray.deepest > ray.margin;
             deepen(ray, from);
             if (ray.entered && ray.deepest > ray.margin) return end_with(ray, Seen::hidden);
         }
         if (from.at >= ray.end && ray.is_cut && ray.sign < 0)
             return end_with(ray, ray.deepest > ray.margin ? Seen::hidden : Seen::undecided);
         if (from.at >= ray.end || ray.steps > tuned_sight.most_steps)
-            return end_with(ray, ray.doubtful || ray.entered || from.at < ray.end ? Seen::undecided : Seen::visible);
+            return end_with(ray, ray.doubtful || ray.dip > tuned_sight.deep * ray.contact || ray.entered || ray.close ||
+                                         from.at < ray.end
+                                     ? Seen::undecided
+                                     : Seen::visible);
         const double step = std::clamp(tuned_sight.step_share * from.distance(), size_.least_step, size_.longest_step);
         ray.trial = std::min(ray.end, from.at + step);
         ray.phase = SightRay::Phase::march;
@@ -129,15 +139,8 @@ private:
 
     void take(SightRay& ray, const SightSample& now) const {
         ++ray.steps;
-        const double gradient = glm::length(now.gradient);
-        if (!std::isfinite(now.value) || !(gradient > 0.0) || !std::isfinite(gradient)) {
-            // At a place without a gradient, such as the middle of a ball, the march goes on.
-            if (!std::isfinite(now.value) || now.at >= ray.end || ray.phase == SightRay::Phase::start)
-                return end_with(ray, Seen::undecided);
-            ray.trial = std::min(ray.end, now.at + size_.least_step);
-            ray.phase = SightRay::Phase::march;
-            return;
-        }
+        if (!std::isfinite(now.value) || !std::isfinite(glm::length(now.gradient)))
+            return end_with(ray, Seen::undecided);
         switch (ray.phase) {
         case SightRay::Phase::start: return start(ray, now);
         case SightRay::Phase::march: return march(ray, now);
@@ -147,12 +150,13 @@ private:
         }
     }
 
-    void start(SightRay& ray, const SightSample& now) const noexcept {
+    void start(SightRay& ray, const SightSample& now) const {
         const double distance = now.distance();
         if (now.value < 0.0 && distance > ray.contact && ray.lift > 0.0 && ray.lifts < tuned_sight.most_lifts) {
             const double move = std::min(distance + 0.5 * ray.contact, ray.lift);
             ray.origin += move * now.gradient / glm::length(now.gradient);
             ray.lift -= move;
+            ray.dip = std::max(ray.dip, 0.5 * tuned_sight.deep * ray.contact);
             ++ray.lifts;
             return;
         }
@@ -160,11 +164,13 @@ private:
         march_on(ray, now);
     }
 
-    void march(SightRay& ray, const SightSample& now) const noexcept {
+    void march(SightRay& ray, const SightSample& now) const {
         const SightSample before = ray.last;
         if (ray.sign == 0) {
+            if (now.value < 0.0) ray.dip = std::max(ray.dip, now.distance());
             if (now.distance() > ray.contact) {
                 ray.sign = now.sign();
+                if (ray.sign < 0) ray.dip = 0.0;
                 // On a smooth surface the distance grows with the square of the length of contact. If it grows faster,
                 // the ray ran along a face that is seen edge-on, and passes its edge.
                 if (now.sine() * now.at > tuned_sight.sudden * ray.contact &&
@@ -236,6 +242,7 @@ private:
         if (ray.phase == SightRay::Phase::done) return;
         ray.sign = -ray.sign;
         ray.deepest = 0.0;
+        ray.close = false;
         ray.turned_at = now.at;
         march_on(ray, ray.beyond);
     }
@@ -283,7 +290,9 @@ private:
 
     // Returns the place of the surface next to a place of the ray, approximately.
     [[nodiscard]] static glm::dvec3 foot_of(const SightRay& ray, const SightSample& at) noexcept {
-        return ray.origin + at.at * ray.direction - at.value / glm::dot(at.gradient, at.gradient) * at.gradient;
+        const double square = glm::dot(at.gradient, at.gradient);
+        const glm::dvec3 place = ray.origin + at.at * ray.direction;
+        return square > 0.0 ? place - at.value / square * at.gradient : place;
     }
 
     const implicit::Implicit& surface_;
@@ -360,9 +369,11 @@ base::Array<Sighting> look_at(const base::Work& work, std::span<const Occluder> 
             }
             batch->run(static_cast<std::size_t>(end - begin), threads);
             for (std::int64_t i = begin; i < end; ++i) {
-                const Seen seen = batch->rays[static_cast<std::size_t>(i - begin)].seen;
-                if (found[i].seen == Seen::hidden || seen == Seen::visible) continue;
-                found[i] = {seen, seen == Seen::hidden ? static_cast<std::int32_t>(o) : -1};
+                const SightRay& ray = batch->rays[static_cast<std::size_t>(i - begin)];
+                found[i].grazes = found[i].grazes || ray.dip > tuned_sight.grazing * ray.contact;
+                if (found[i].seen == Seen::hidden || ray.seen == Seen::visible) continue;
+                found[i].seen = ray.seen;
+                found[i].hidden_by = ray.seen == Seen::hidden ? static_cast<std::int32_t>(o) : -1;
             }
         });
     }

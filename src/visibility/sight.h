@@ -31,6 +31,9 @@ struct SightPlace {
 
 struct Sighting {
     Seen seen = Seen::visible;
+    // True if the ray of a visible place runs inside the solid before it leaves the surface, so shallowly that it may
+    // be an error of the place. Such a ray cannot prove that a hidden line is visible.
+    bool grazes = false;
     std::int32_t hidden_by = -1; // the index of an occluder that hides the place, or -1
 };
 

@@ -117,6 +117,11 @@ struct SightTuning {
     // A ray is in contact with the surface at its place up to this distance from it, in margins. Larger: places may be
     // farther off their surface. Smaller: their own surface may hide them.
     double contact = 0.25;
+    // A ray grazes its own solid if it is inside by more than `grazing` while it is in contact, and is doubtful if it
+    // is inside by more than `deep`, in distances of contact. Larger `grazing`: ends of hidden lines at contours look
+    // visible. Larger `deep`: contours count as visible that are drawn beside their place.
+    double grazing = 0.01;
+    double deep = 0.25;
     // A place is moved out of its own solid by at most this many steps.
     int most_lifts = 4;
     // A contact that is longer than `long_contact`, in margins, is doubtful if the ray then leaves the surface so

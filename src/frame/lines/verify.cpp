@@ -26,10 +26,6 @@ struct LookedAt {
 
 bool is_hidden(const LinePart& part) noexcept { return part.layers > 0; }
 
-bool differs(const LinePart& part, const Sighting& sighting) noexcept {
-    return sighting.seen != Seen::undecided && (sighting.seen == Seen::hidden) != is_hidden(part);
-}
-
 // Returns a place for a ray. Its margin is a distance in the image, as a length at the place.
 SightPlace sight_place(const LineInput& in, std::int32_t line, double at) {
     const StrokePlace place = place_along(in, line, at);
@@ -58,7 +54,11 @@ base::Array<Sighting> look(const base::Work& work, const LineInput& in, const ba
     base::Array<SightPlace> rays(work.memory, places.size());
     for (std::int64_t i = 0; i < places.size(); ++i)
         rays[i] = sight_place(in, parts[places[i].part].interval.line, places[i].at);
-    return visibility::look_at(work, in.traced.occluders.span(), std::as_const(rays).span());
+    base::Array<Sighting> seen = visibility::look_at(work, in.traced.occluders.span(), std::as_const(rays).span());
+    for (std::int64_t i = 0; i < places.size(); ++i)
+        if (is_hidden(parts[places[i].part]) && seen[i].grazes && seen[i].seen == Seen::visible)
+            seen[i].seen = Seen::undecided;
+    return seen;
 }
 
 // Adds the places of a part, in order and away from its ends. A part shorter than the distances from both ends has one
@@ -194,11 +194,12 @@ base::Array<LinePart> verify_parts(const base::Work& work, const LineInput& in, 
         const base::Array<Sighting> seen = look(work, in, parts, places);
         base::Array<Sighting> first_seen(work.memory, parts.size());
         base::Array<std::uint8_t> wrong(work.memory, parts.size());
-        for (Sighting& sighting : first_seen) sighting = {Seen::undecided, -1};
+        for (Sighting& sighting : first_seen) sighting.seen = Seen::undecided;
         for (std::int64_t i = 0; i < places.size(); ++i) {
             const std::int64_t part = places[i].part;
             if (seen[i].seen != Seen::undecided && first_seen[part].seen == Seen::undecided) first_seen[part] = seen[i];
-            if (differs(parts[part], seen[i])) wrong[part] = 1;
+            if (seen[i].seen != Seen::undecided && (seen[i].seen == Seen::hidden) != is_hidden(parts[part]))
+                wrong[part] = 1;
         }
         const std::int64_t all_wrong = std::count(wrong.begin(), wrong.end(), std::uint8_t{1});
         if (all_wrong == 0 || round == line_tuning.verified_rounds) {
