@@ -57,6 +57,16 @@ inline void add_cages(std::vector<Model>& models) {
         }
 }
 
+inline void add_blobs(std::vector<Model>& models) {
+    for (const std::uint64_t seed : {7, 10, 14})
+        for (int level = 1; level <= 2; ++level) {
+            const Quads mesh = subdivided(blob(seed), level);
+            const std::string name = "blob " + std::to_string(seed) + " " + std::to_string(level);
+            models.push_back({name + " /", Right::smooth, cut(mesh, Cut::first)});
+            models.push_back({name + " \\", Right::smooth, cut(mesh, Cut::second)});
+        }
+}
+
 inline void add_grids(std::vector<Model>& models) {
     for (const Cut how : {Cut::first, Cut::second, Cut::random}) {
         const std::string name = how == Cut::first ? " /" : how == Cut::second ? " \\" : " random";
@@ -230,6 +240,7 @@ inline void add_parts(std::vector<Model>& models) {
 inline std::vector<Model> models() {
     std::vector<Model> all;
     add_cages(all);
+    add_blobs(all);
     add_grids(all);
     add_scans(all);
     add_flat(all);

@@ -181,26 +181,63 @@ inline std::vector<Block> person() {
             {{10, -1, 5}, {12, 0, 6}},  {{-12, -1, 5}, {-10, 0, 6}}};
 }
 
+// Moves each vertex towards the mean of its neighbours, by a share of the distance.
+inline void relax(Quads& mesh, double share) {
+    std::vector<glm::dvec3> sum(mesh.vertex.size(), glm::dvec3(0.0));
+    std::vector<double> count(mesh.vertex.size(), 0.0);
+    for (const auto& q : mesh.face)
+        for (std::size_t k = 0; k < 4; ++k) {
+            sum[static_cast<std::size_t>(q[k])] += mesh.at(q[(k + 1) % 4]) + mesh.at(q[(k + 3) % 4]);
+            count[static_cast<std::size_t>(q[k])] += 2.0;
+        }
+    for (std::size_t v = 0; v < mesh.vertex.size(); ++v)
+        mesh.vertex[v] = (1.0 - share) * mesh.vertex[v] + share * sum[v] / count[v];
+}
+
 // Turns the outside of cubes into a cage like a modeller's: rounded, bent, and uneven.
 inline Quads cage(const Solid& inside, int most, int rounding, double uneven, std::uint64_t seed) {
     Quads mesh = outside_of(inside, most);
-    for (int round = 0; round < rounding; ++round) {
-        std::vector<glm::dvec3> sum(mesh.vertex.size(), glm::dvec3(0.0));
-        std::vector<double> count(mesh.vertex.size(), 0.0);
-        for (const auto& q : mesh.face)
-            for (std::size_t k = 0; k < 4; ++k) {
-                sum[static_cast<std::size_t>(q[k])] += mesh.at(q[(k + 1) % 4]) + mesh.at(q[(k + 3) % 4]);
-                count[static_cast<std::size_t>(q[k])] += 2.0;
-            }
-        for (std::size_t v = 0; v < mesh.vertex.size(); ++v)
-            mesh.vertex[v] = 0.6 * mesh.vertex[v] + 0.4 * sum[v] / count[v];
-    }
+    for (int round = 0; round < rounding; ++round) relax(mesh, 0.4);
     for (std::size_t v = 0; v < mesh.vertex.size(); ++v) {
         glm::dvec3& p = mesh.vertex[v];
         p += uneven * glm::dvec3(random(3 * v, seed), random(3 * v + 1, seed), random(3 * v + 2, seed));
         p += 0.6 * glm::dvec3(std::sin(0.31 * p.y + 0.2 * p.z), std::sin(0.27 * p.z + 1.0), std::sin(0.23 * p.x + 2.0));
         p *= 1.0 + 0.08 * std::sin(0.4 * p.x - 0.3 * p.z);
     }
+    return mesh;
+}
+
+// A cage of quads around a smooth union of nine ellipsoids, each of which lies on an earlier one.
+inline Quads blob(std::uint64_t seed) {
+    std::vector<glm::dvec3> centre{glm::dvec3(0.0)}, radius{glm::dvec3(6.0, 5.0, 5.0)};
+    for (std::uint64_t k = 1; k < 9; ++k) {
+        const std::size_t on =
+            k < 4 ? 0 : static_cast<std::size_t>((random(k, seed) + 1.0) / 2.0 * static_cast<double>(k));
+        const auto three = [&](std::uint64_t stream) {
+            return glm::dvec3(random(10 * k, stream), random(10 * k + 1, stream), random(10 * k + 2, stream));
+        };
+        centre.push_back(centre[on] + glm::normalize(three(seed + 100)) * radius[on]);
+        radius.push_back(glm::max(radius[on] * (0.55 + 0.25 * three(seed + 200)), glm::dvec3(1.2)));
+    }
+    const auto field = [&](const glm::dvec3& p) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < centre.size(); ++k)
+            sum += std::exp(-8.0 * (glm::length((p - centre[k]) / radius[k]) - 1.0));
+        return -std::log(sum) / 8.0;
+    };
+    Quads mesh = outside_of([&](int x, int y, int z) { return field(glm::dvec3(x, y, z) + 0.5) < 0.0; }, 24);
+    for (glm::dvec3& p : mesh.vertex)
+        for (int step = 0; step < 3; ++step) {
+            constexpr double h = 1e-4;
+            glm::dvec3 gradient(0.0);
+            for (int c = 0; c < 3; ++c) {
+                glm::dvec3 off(0.0);
+                off[c] = h;
+                gradient[c] = (field(p + off) - field(p - off)) / (2.0 * h);
+            }
+            p -= 0.7 * field(p) / glm::dot(gradient, gradient) * gradient;
+        }
+    relax(mesh, 0.3);
     return mesh;
 }
 

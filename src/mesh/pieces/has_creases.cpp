@@ -35,17 +35,33 @@ TotalTurn turn_beside(const HalfEdgeMesh& sided, std::int64_t side, double reach
     return turn;
 }
 
-// Returns for each face the number of faces in its flat polygon.
-base::Array<std::int32_t> faces_of_polygons(const base::Work& work, const HalfEdgeMesh& sided) {
-    const std::int64_t faces = sided.mesh.faces();
-    UnionFind polygons(work.memory, faces);
-    for_plain_edges(sided, work, [&](std::int64_t side, std::int64_t other) {
-        if (std::abs(sided.bend[side]) < has_creases_tuning.flat)
-            polygons.join(static_cast<std::int32_t>(side / 3), static_cast<std::int32_t>(other / 3));
+// Returns the least bend at the two other sides of a side's face, in degrees; infinity if both are borders.
+double least_bend_beside(const HalfEdgeMesh& sided, std::int64_t side) noexcept {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::int64_t other = HalfEdgeMesh::next(side); other != side; other = HalfEdgeMesh::next(other))
+        if (sided.beyond[other] >= 0) least = std::min(least, std::abs(sided.bend[other]));
+    return least;
+}
+
+// Calls visit(side, opposite side) for each edge that bends by more than an angle, in degrees.
+template <class Visit>
+void for_bent_edges(const HalfEdgeMesh& sided, double angle, const base::Progress& progress, Visit&& visit) {
+    for_plain_edges(sided, progress, [&](std::int64_t side, std::int64_t other) {
+        if (bends_more(std::abs(sided.bend[side]), angle)) visit(side, other);
     });
-    base::Array<std::int32_t> count(work.memory, faces);
-    for (std::int32_t face = 0; face < faces; ++face) ++count[polygons.find(face)];
-    for (std::int32_t face = 0; face < faces; ++face) count[face] = count[polygons.find(face)];
+}
+
+// Returns for each vertex the number of edges there that bend by more than the angle, and of sides without another
+// face.
+base::Array<std::int32_t> bent_edges_at_vertices(const base::Work& work, const HalfEdgeMesh& sided, double angle) {
+    base::Array<std::int32_t> count(work.memory, sided.mesh.vertex.size());
+    for (const std::int64_t side : work.over(sided.beyond.size())) {
+        const bool counts =
+            sided.beyond[side] < 0 || (sided.beyond[side] > side && bends_more(std::abs(sided.bend[side]), angle));
+        if (!counts) continue;
+        ++count[sided.start(side)];
+        ++count[sided.start(HalfEdgeMesh::next(side))];
+    }
     return count;
 }
 
@@ -60,8 +76,7 @@ struct EdgeEvidence {
 // faces belongs to a flat polygon, the edge also stands out if the mesh turns little on one side, or if it is too sharp
 // to be round. The test of a single side reaches only as far as the height of the lower face, which may be the face of
 // a chamfer.
-EdgeEvidence examine_edge(const HalfEdgeMesh& sided, std::int64_t side, std::int64_t other,
-                          const base::Array<std::int32_t>& faces_of_polygon) noexcept {
+EdgeEvidence examine_edge(const HalfEdgeMesh& sided, std::int64_t side, std::int64_t other) noexcept {
     const double bend = std::abs(sided.bend[side]);
     const double little = bend / has_creases_tuning.stands_out;
     const double reach = has_creases_tuning.reach * sided.height(side);
@@ -71,7 +86,9 @@ EdgeEvidence examine_edge(const HalfEdgeMesh& sided, std::int64_t side, std::int
     const double way = sided.bend[side] < 0.0 ? -1.0 : 1.0;
     seen.is_round = bend <= has_creases_tuning.surely_sharp && way * turn.net > little && way * other_turn.net > little;
     seen.stands_out = turn.all <= little && other_turn.all <= little;
-    if (seen.stands_out || (faces_of_polygon[side / 3] < 2 && faces_of_polygon[other / 3] < 2)) return seen;
+    if (seen.stands_out) return seen;
+    const double flattest = std::min(least_bend_beside(sided, side), least_bend_beside(sided, other));
+    if (flattest >= has_creases_tuning.flat) return seen;
     const double lower = std::min(reach, other_reach);
     seen.stands_out = bend > has_creases_tuning.surely_sharp || turn_beside(sided, side, lower).all <= little ||
                       turn_beside(sided, other, lower).all <= little;
@@ -127,20 +144,22 @@ CreaseEvidence judged_whole(const base::Array<EdgeLengths>& lengths, const base:
 CreaseEvidenceOfParts look_for_creases_of_parts(const base::Work& work, const Mesh& mesh, double angle) {
     HRBFNPR_ASSERT(angle > 0.0 && mesh.faces() > 0);
     const HalfEdgeMesh sided = half_edges_of(work, mesh);
-    const base::Array<std::int32_t> faces_of_polygon = faces_of_polygons(work, sided);
     const PartSizes sizes = sizes_of_parts(work, mesh);
+    const base::Array<std::int32_t> bent_edges_at = bent_edges_at_vertices(work, sided, angle);
     CreaseEvidenceOfParts found{base::Array<CreaseEvidence>(work.memory, sizes.area.size()),
                                 base::Array<std::uint8_t>(work.memory, 3 * mesh.faces()),
                                 {}};
     base::Array<EdgeLengths> lengths(work.memory, sizes.area.size());
-    for_plain_edges(sided, work, [&](std::int64_t side, std::int64_t other) {
-        if (!bends_more(std::abs(sided.bend[side]), angle)) return;
+    for_bent_edges(sided, angle, work, [&](std::int64_t side, std::int64_t other) {
         const std::int64_t number = mesh.component[side / 3];
         EdgeLengths& part = lengths[number];
         const double length = sided.length(side);
         part.all += length;
-        const EdgeEvidence seen = examine_edge(sided, side, other, faces_of_polygon);
-        if (seen.stands_out) part.standing += length;
+        const EdgeEvidence seen = examine_edge(sided, side, other);
+        // An edge of the shape continues at both ends. Single edges of a smooth mesh may bend by slightly more than
+        // the angle.
+        const bool continues = bent_edges_at[sided.start(side)] >= 2 && bent_edges_at[sided.start(other)] >= 2;
+        if (seen.stands_out && continues) part.standing += length;
         if (!seen.is_round) found.sharp[side] = found.sharp[other] = 1;
         const double off = std::min(bulge(sided, side), bulge(sided, other));
         if (off >= has_creases_tuning.far_off * sizes.diagonal[number]) part.coarse += length;

@@ -2,10 +2,10 @@
 // Measures whether a mesh approximates a shape with edges. plan.h judges the result.
 //
 // Any mesh bends at its edges. A mesh of a smooth surface turns beside an edge about as much as at the edge, however
-// finely it is divided. At an edge of the shape, however, the mesh turns little beside the edge. The mesh is examined
-// beside an edge up to 1.5 times the height of the face there, so the result does not depend on how quads are cut into
-// triangles. Two more kinds of faces show that the shape has edges: flat polygons, because meshes of smooth surfaces
-// have bent quads instead, and faces too coarse for a round surface.
+// finely it is divided. At an edge of the shape, however, the mesh turns little beside the edge, and the edge goes on
+// at both ends. The mesh is examined beside an edge up to 1.5 times the height of the face there, so the result does
+// not depend on how quads are cut into triangles. Two more kinds of faces show that the shape has edges: flat polygons,
+// because meshes of smooth surfaces have bent quads instead, and faces too coarse for a round surface.
 #pragma once
 
 #include "mesh/edges.h"
