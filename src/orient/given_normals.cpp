@@ -3,7 +3,8 @@
 //
 //   compare              measures how alike the given normals and those of least energy are
 //   are_inward           tells whether most normals point inward; if so, all are turned
-//   have_random_signs    tells whether neighbours agree by chance only; if so, each gets the sign of least energy
+//   have_random_signs    tells whether neighbours agree by chance only; if so, each gets the sign of least energy, or,
+//                        if its direction is off, the normal of least energy
 //   find_turned_patches  finds patches whose normals are opposite to those of least energy, and which are turned
 #include "orient/given_normals.h"
 
@@ -143,6 +144,21 @@ struct Border {
     return patch;
 }
 
+// Returns the places whose given normals are off the normals of least energy, and nearer to those of planes through
+// neighbours.
+[[nodiscard]] base::Array<std::uint8_t> find_plane_normals(const JudgementInput& c, const base::Work& work) {
+    constexpr double degrees = 57.29577951308232;
+    const double least = std::cos(tuning.off_least_energy / degrees);
+    const VecArray plane = plane_normals(work, c.tree, c.near, tuning.plane_neighbours);
+    base::Array<std::uint8_t> found(work.memory, c.tree.size());
+    for (std::int64_t at = 0; at < c.tree.size(); ++at) {
+        if (!c.known(at)) continue;
+        const double cosine = std::abs(c.cosine(at));
+        if (cosine < least && std::abs(glm::dot(plane[at], c.given.normal[at])) > cosine) found[at] = 1;
+    }
+    return found;
+}
+
 } // namespace
 
 glm::dvec3 given_normal(const base::InView& normals, std::int64_t point) noexcept {
@@ -154,7 +170,7 @@ GivenNormals read_given(const base::Work& work, const base::InView& normals, con
     HRBFNPR_ASSERT(normals.count == cloud.place.size());
     GivenNormals given(work.memory);
     given.known.resize(cloud.size());
-    given.normal = plane_normals(work, *cloud.tree, near, 16);
+    given.normal = plane_normals(work, *cloud.tree, near, tuning.plane_neighbours);
     for (std::int64_t i = 0; i < normals.count; ++i) {
         const glm::dvec3 n = given_normal(normals, i);
         if (!std::isfinite(n.x + n.y + n.z))
@@ -200,6 +216,7 @@ Judgement judge(const base::Work& work, const Cloud& cloud, const NeighbourLists
     if (mode == NormalMode::unoriented || (looks && have_random_signs(c))) {
         judgement.found = NormalMode::unoriented;
         judgement.by_place = true;
+        if (mode == NormalMode::automatic && !evidence.doubtful) judgement.replaced = find_plane_normals(c, work);
         for (std::int64_t at = 0; at < cloud.size(); ++at)
             if (judgement.made_sign * c.cosine(at) < 0.0) judgement.signs[at] = -1;
     } else {

@@ -35,7 +35,7 @@ struct Evidence {
 };
 
 struct Judgement {
-    explicit Judgement(base::Memory& memory) noexcept : signs(memory) {}
+    explicit Judgement(base::Memory& memory) noexcept : signs(memory), replaced(memory) {}
 
     NormalMode found = NormalMode::none;
     Signs signs;                // for each place: -1 if its given normals must be turned
@@ -43,6 +43,8 @@ struct Judgement {
     bool follows_given = false; // The given normals decide which side of the surface is outward.
     // All given normals of a place are turned to agree with the first given normal of the place.
     bool by_place = false;
+    // For each place: 1 if its given normals are replaced by the normal of least energy. Empty if none is.
+    base::Array<std::uint8_t> replaced;
 };
 
 [[nodiscard]] Judgement judge(const base::Work& work, const Cloud& cloud, const NeighbourLists& near,

@@ -36,7 +36,8 @@ void write_normals(const OrientInput& input, const Cloud& cloud, const VecArray&
             if (judgement.found == NormalMode::none) angles += std::acos(std::min(1.0, cosine));
             ++lines;
         }
-        if (!(length > 0.0) || judgement.found == NormalMode::none) {
+        const bool replaced = !judgement.replaced.empty() && judgement.replaced[at] != 0;
+        if (!(length > 0.0) || judgement.found == NormalMode::none || replaced) {
             const bool look_only = input.mode == NormalMode::given;
             result.normal.set(i, look_only ? own : judgement.made_sign * least[at]);
             report.made += look_only ? 0 : 1;

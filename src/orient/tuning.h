@@ -233,6 +233,11 @@ struct OrientTuning {
     // neighbours.
     double tossed = 0.75;
     std::int64_t beside = 8;
+    // Normals with random signs mostly come from planes through neighbours, which are wrong where both sides of a thin
+    // wall or a tip are among these. If such a normal is off the normal of least energy by more than this, in degrees,
+    // and nearer to the plane through its neighbours, it is made anew. Larger: more wrong directions stay.
+    double off_least_energy = 10.0;
+    std::int64_t plane_neighbours = 16;
     // A patch is turned only if its mean |cosine| with the normals of least energy is above this.
     double distinct = 0.5;
     // Around patches that were turned, the mean cosine of neighbouring normals on a sheet is below this: they are

@@ -77,6 +77,42 @@ TEST(GivenNormals, KeepTheirDirectionsIfSignsAreRandom) {
     expect_the_truth(result);
 }
 
+// The normals of planes through neighbours, with random signs, are wrong on the rim of a thin disc: there, both of its
+// sides are neighbours.
+TEST(GivenNormals, PlanesThroughBothSidesAreReplaced) {
+    constexpr double thin = 0.12;
+    Samples disc = test::sphere(1200);
+    for (std::size_t i = 0; i < disc.points.size(); i += 3) {
+        disc.points[i + 2] *= thin;
+        const glm::dvec3 n =
+            glm::normalize(glm::dvec3(disc.normals[i], disc.normals[i + 1], disc.normals[i + 2] / thin));
+        for (glm::length_t c = 0; c < 3; ++c) disc.normals[i + static_cast<std::size_t>(c)] = n[c];
+    }
+    const base::Runtime runtime;
+    const orient::Cloud cloud = orient::read_cloud(runtime, view(disc.points));
+    const orient::NeighbourLists near(runtime, *cloud.tree, 16);
+    const geometry::VecArray plane = orient::plane_normals(runtime, *cloud.tree, near, 12);
+    std::vector<double> given;
+    for (std::int64_t i = 0; i < disc.count(); ++i) {
+        const double sign = std::fmod(static_cast<double>(i * i) * 0.3819660113, 1.0) < 0.5 ? -1.0 : 1.0;
+        for (glm::length_t c = 0; c < 3; ++c) given.push_back(sign * plane[cloud.place[i]][c]);
+    }
+    const auto wrong = [&](const auto& normal) { // the number of directions that are off by over 20 degrees
+        std::int64_t count = 0;
+        for (std::int64_t i = 0; i < disc.count(); ++i)
+            count += std::abs(glm::dot(glm::normalize(normal(i)), at(disc.normals, i))) < std::cos(0.35) ? 1 : 0;
+        return count;
+    };
+    const orient::Orientation result = with(given, NormalMode::automatic, disc);
+    EXPECT_EQ(result.report.found, NormalMode::unoriented);
+    EXPECT_GT(result.report.made, 0);
+    const std::int64_t before = wrong([&](std::int64_t i) { return at(given, i); });
+    EXPECT_GT(before, 20);
+    EXPECT_LT(2 * wrong([&](std::int64_t i) { return result.normal[i]; }), before);
+    // The caller may say that the directions are right.
+    EXPECT_EQ(with(given, NormalMode::unoriented, disc).report.made, 0);
+}
+
 TEST(GivenNormals, MeaninglessNormalsAreReplaced) {
     std::vector<double> colours;
     for (std::int64_t i = 0; i < 3 * shape().count(); ++i)
