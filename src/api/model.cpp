@@ -244,8 +244,8 @@ void log_fit(const base::Runtime& runtime, const fit::FitReport& report) {
                     static_cast<long long>(report.rescaled_normals));
 }
 
-// Returns the fitted model with a larger box, if samples lie along curves. The box then also contains the surface that
-// closes around these samples.
+// Returns the fitted model with a larger box, if samples lie along curves, or are few. The box then also contains the
+// surface that closes around these samples.
 hrbfnpr_model* with_closed_bounds(hrbfnpr_model* fitted, const geometry::VecArray& samples,
                                   const base::Progress& progress) {
     const HandleHold<hrbfnpr_model> whole(fitted); // This object now owns the model.

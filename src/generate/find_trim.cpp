@@ -7,6 +7,7 @@
 #include "implicit/trimmed.h"
 #include "stipples/surface_cells.h"
 #include "stipples/tuning.h"
+#include "surface/region.h"
 
 #include <algorithm>
 #include <cmath>
@@ -199,7 +200,8 @@ geometry::Bounds closed_bounds(const base::Work& work, const implicit::Implicit&
                                const geometry::VecArray& position) {
     geometry::Bounds bounds = implicit.bounds();
     if (position.size() > generate_tuning.most_samples_along_curves) return bounds;
-    if (!geometry::lie_along_curves(geometry::PointTree(position, work.part(0.0, 0.1)))) return bounds;
+    const bool along_curves = geometry::lie_along_curves(geometry::PointTree(position, work.part(0.0, 0.1)));
+    if (!along_curves && position.size() > generate_tuning.few_samples) return bounds;
     const double diagonal = implicit.diagonal();
     const geometry::Bounds region = bounds.grown(generate_tuning.closing_distance * diagonal);
     const marks::Site site{work, implicit, unused_tolerance, 1};
@@ -212,7 +214,10 @@ geometry::Bounds closed_bounds(const base::Work& work, const implicit::Implicit&
         if (!inside.contains(centre)) return implicit.bounds();
         if (std::abs(cell.distance) < found.grid.side) bounds.extend(centre - cell.distance * cell.normal);
     }
-    return bounds;
+    // Between a few points that lie all over a surface, it bulges, mostly by less than the margin of the search box.
+    const geometry::Bounds search_box = implicit.bounds().grown(surface::region_margin * diagonal);
+    const bool fits = search_box.contains(bounds.min) && search_box.contains(bounds.max);
+    return !along_curves && fits ? implicit.bounds() : bounds;
 }
 
 } // namespace hrbfnpr::generate

@@ -64,11 +64,13 @@ struct GenerateTuning {
     double evaluations_of_surface = 2e5;
     double evaluations_of_sample = 30.0;
 
-    // ---- The box of points along curves (find_trim.cpp)
+    // ---- The box of few points, and of points along curves (find_trim.cpp)
 
-    // Closed boxes are computed for at most this many samples along curves. For more samples this would take longer
-    // than the fit.
+    // Closed boxes are computed for at most this many samples along curves, and for at most `few_samples` others. For
+    // more samples along curves this would take longer than the fit. Between more other samples, a surface bulges by
+    // less than the margin of the search box. Larger: more time. Set on tori of 25 to 400 samples.
     std::int64_t most_samples_along_curves = 20000;
+    std::int64_t few_samples = 100;
     // The greatest distance from the samples' box within which a surface may close, in diagonals. Larger: larger boxes.
     double closing_distance = 1.0 / 3.0;
     // The number of cells along a diagonal when the box of a closed surface is found. Larger: more accurate boxes, but
