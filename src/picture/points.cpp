@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "picture/points.h"
 
+#include "api/handles.h"
 #include "base/assert.h"
 #include "orient/cloud.h"
 #include "picture/ends.h"
@@ -74,15 +75,15 @@ void leave_out_not_finite(Points& points) {
                  points.end());
 }
 
-void leave_out_strays(const Call& call, Points& points) {
-    const PointMask strays = find_strays(points, call.pool);
-    std::size_t to = 0;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (strays[i] == 0) points[to++] = points[i];
-    if (to == points.size()) return;
-    const auto count = static_cast<std::int64_t>(points.size() - to);
-    points.resize(to);
+// Leaves out strays, before points are chosen: an even choice would prefer them. Returns whether it found any.
+bool leave_out_strays(const Call& call, Shape& shape) {
+    PointMask kept = find_strays(shape.points, call.context.runtime.parallel, call.pool);
+    const auto count = static_cast<std::int64_t>(std::count(kept.begin(), kept.end(), std::uint8_t{1}));
+    if (count == 0) return false;
+    for (std::uint8_t& each : kept) each = each == 0 ? 1 : 0;
+    keep_points(shape, kept, call.pool);
     tell_left_out_strays(call, count);
+    return true;
 }
 
 // Finds normals for points that have none. Of very many points, only some are kept.
@@ -90,7 +91,6 @@ void give_normals(const Call& call, Shape& shape) {
     const std::size_t all = shape.points.size();
     Points points = std::move(shape.points);
     leave_out_not_finite(points);
-    if (!keeps_outliers(call)) leave_out_strays(call, points);
     Stage stage(call.report, HRBFNPR_STAGE_ORIENT);
     if (points.size() > points_tuning.most_oriented) {
         choose_elements(points, farthest_points(call, stage, points, points_tuning.most_oriented), call.pool);
@@ -261,12 +261,12 @@ bool changes_fit_field(const Changes& changes, std::string_view path) noexcept {
     return std::any_of(first, list.end(), [&](const Change& each) { return each.path == path; });
 }
 
-hrbfnpr_fit_desc fit_desc_of(const Call& call, bool of_points, bool normals_made) {
+hrbfnpr_fit_desc fit_desc_of(const Call& call, bool of_points, bool has_dust) {
     const Options& options = call.options;
     auto desc = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
-    // Samples of a mesh are exact, but scans have noise. Points without normals count as a scan, which also has dust.
+    // Samples of a mesh are exact, but scans have noise.
     if (of_points && !options.gives_fit("regularization")) desc.regularization_mode = HRBFNPR_REGULARIZATION_AUTO;
-    if (normals_made) desc.outliers = HRBFNPR_REPAIR_DROP;
+    if (has_dust) desc.outliers = HRBFNPR_REPAIR_DROP;
     options.changes.apply("fit", desc);
     // An option of the descriptor overrides the settings. A change of a single field overrides the option.
     if (options.desc.tolerance != 0.0 && !changes_fit_field(options.changes, "fit.tolerance"))
@@ -382,13 +382,15 @@ Surface fit_points(const Call& call, Shape&& shape, glm::dvec3& up) {
     }
     const bool made = call.options.desc.normals == HRBFNPR_NORMALS_NONE || !has_normals(shape);
     std::optional<double> hole;
+    bool has_strays = false;
     if (made && is_depth_image(shape)) {
         if (call.options.viewpoint())
             call.report.warn(HRBFNPR_NOTE_VIEWPOINT_NOT_USED, {},
                              "{viewpoint} is ignored: the camera of the depth image is known");
         hole = use_depth_image(call, shape);
-    } else if (made) {
-        give_normals(call, shape);
+    } else {
+        has_strays = !is_depth_image(shape) && !keeps_outliers(call) && leave_out_strays(call, shape);
+        if (made) give_normals(call, shape);
     }
     Samples samples = samples_of(call, shape);
     if (!made)
@@ -396,16 +398,17 @@ Surface fit_points(const Call& call, Shape&& shape, glm::dvec3& up) {
     else if (call.options.has(HRBFNPR_PICTURE_FLIP))
         turn(samples.normals);
     up = choose_up(call, &shape, samples.points, samples.normals);
-    const Model model = fit_samples(call, samples.points, samples.normals, true, made);
+    // Points without normals count as a scan, which has dust.
+    const Model model = fit_samples(call, samples.points, samples.normals, true, made || has_strays);
     Surface surface;
     surface.model = end_of_points(call, model, shape, hole);
     surface.shape = std::make_shared<const Shape>(std::move(shape));
     return surface;
 }
 
-Model fit_samples(const Call& call, const Points& points, const Points& normals, bool of_points, bool normals_made) {
+Model fit_samples(const Call& call, const Points& points, const Points& normals, bool of_points, bool has_dust) {
     HRBFNPR_ASSERT(points.size() == normals.size());
-    hrbfnpr_fit_desc desc = fit_desc_of(call, of_points, normals_made);
+    hrbfnpr_fit_desc desc = fit_desc_of(call, of_points, has_dust);
     desc.points = view_of(points);
     desc.normals = view_of(normals);
     Model model;

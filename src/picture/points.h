@@ -30,10 +30,9 @@ void tell_unused_viewpoint(const Call& call, const Shape& shape);
 [[nodiscard]] Surface fit_points(const Call& call, Shape&& shape, glm::dvec3& up);
 
 // Fits a model to samples, and reports in notes how the fit changed them. `of_points` is true for points that may have
-// noise, and false for samples of a mesh. `normals_made` is true if the points had no normals, so that they may include
-// dust.
+// noise, and false for samples of a mesh. `has_dust` is true if they may include dust.
 [[nodiscard]] Model fit_samples(const Call& call, const Points& points, const Points& normals, bool of_points,
-                                bool normals_made);
+                                bool has_dust);
 
 // Warns if the samples are too few, or too flat, to define a surface well.
 void tell_thin_evidence(const Call& call, const Points& points);

@@ -2,13 +2,16 @@
 #include "picture/strays.h"
 
 #include "base/assert.h"
-#include "geometry/vec.h"
+#include "geometry/point_tree.h"
+#include "orient/cloud.h"
 #include "picture/statistics.h"
 #include "picture/tuning_points.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <span>
 
 namespace hrbfnpr::picture {
 namespace {
@@ -146,99 +149,100 @@ PointMask far_from_most(const Points& points, Pool& pool) {
 
 namespace {
 
-constexpr int cell_bits = 21; // the number of bits for each axis in the index of a cell
+// The points in the order of a tree, scaled to size 1.
+struct Dust {
+    explicit Dust(const geometry::VecArray& points, Pool& pool)
+        : tree(points, {}), reach(static_cast<std::size_t>(points.size()), 0.0, &pool),
+          is_stray(reach.size(), 0, &pool) {}
 
-std::int64_t cell_along(double place) noexcept {
-    constexpr double most = 2097152.0 - 3.0; // The largest cell index. It leaves an empty cell on both sides.
-    return place < most ? static_cast<std::int64_t>(place) + 1 : static_cast<std::int64_t>(most) + 1;
-}
-
-// Returns the index of a cell. Cells that are neighbours along z have consecutive indices.
-constexpr std::int64_t cell_number(std::int64_t x, std::int64_t y, std::int64_t z) noexcept {
-    return x * (std::int64_t{1} << (2 * cell_bits)) + y * (std::int64_t{1} << cell_bits) + z;
-}
-
-struct OccupiedCell {
-    std::int64_t number;
-    std::int64_t points;
+    geometry::PointTree tree;
+    Vector<double> reach; // for each place: the distance to the last of its neighbours
+    PointMask is_stray;
 };
 
-// Returns the cells that hold points, ascending.
-Vector<OccupiedCell> occupied_cells(const Vector<std::int64_t>& cell_of, Pool& pool) {
-    Vector<std::int64_t> sorted(cell_of, &pool);
-    std::sort(sorted.begin(), sorted.end());
-    Vector<OccupiedCell> cells(&pool);
-    for (const std::int64_t number : sorted) {
-        if (cells.empty() || cells.back().number != number) cells.push_back({number, 0});
-        ++cells.back().points;
-    }
-    return cells;
+using NearPlaces = std::array<std::int64_t, strays_tuning.neighbours>;
+
+// Finds the nearest other places that are no strays. There are fewer than wanted only if nearly all places are strays.
+std::span<const std::int64_t> near_places(const Dust& dust, std::int64_t at, NearPlaces& found) noexcept {
+    const auto is_other = [&](std::int64_t other) {
+        return other != at && dust.is_stray[static_cast<std::size_t>(other)] == 0;
+    };
+    const std::int64_t count = dust.tree.nearest(
+        dust.tree.points()[at], std::ssize(found), [](std::int64_t /*node*/) { return true; }, is_other, found.data());
+    return std::span<const std::int64_t>(found).first(static_cast<std::size_t>(count));
 }
 
-// Returns the median, over all points, of the number of points in the cell of a point.
-double median_crowd(const Vector<OccupiedCell>& cells, std::size_t points, Pool& pool) {
-    Vector<std::int64_t> crowds(&pool);
-    for (const OccupiedCell& cell : cells) crowds.push_back(cell.points);
-    std::sort(crowds.begin(), crowds.end());
-    const auto low = static_cast<std::int64_t>((points - 1) / 2);
-    const auto high = static_cast<std::int64_t>(points / 2);
-    std::int64_t before = 0;
-    double sum = 0.0;
-    // A cell with `crowd` points is counted once for each of its points.
-    for (const std::int64_t crowd : crowds) {
-        if (before <= low && low < before + crowd) sum += static_cast<double>(crowd);
-        if (before <= high && high < before + crowd) sum += static_cast<double>(crowd);
-        before += crowd;
-    }
-    return sum / 2.0;
+double reach_of(const Dust& dust, std::int64_t at, std::span<const std::int64_t> near) noexcept {
+    return near.empty() ? 0.0 : glm::distance(dust.tree.points()[at], dust.tree.points()[near.back()]);
 }
 
-std::int64_t points_around(const OccupiedCell& cell, const Vector<OccupiedCell>& cells) noexcept {
-    std::int64_t around = 0;
-    for (std::int64_t x = -1; x <= 1; ++x)
-        for (std::int64_t y = -1; y <= 1; ++y) {
-            // The first of three consecutive cells along z.
-            const std::int64_t first = cell.number + cell_number(x, y, -1);
-            auto at = std::lower_bound(cells.begin(), cells.end(), first,
-                                       [](const OccupiedCell& a, std::int64_t b) { return a.number < b; });
-            for (; at != cells.end() && at->number <= first + 2; ++at) around += at->points;
-        }
-    return around;
+// Returns whether a place lies off the plane through its neighbours, or its neighbours lie in no plane.
+bool is_off_neighbours(const Dust& dust, std::int64_t at, std::span<const std::int64_t> near) noexcept {
+    const glm::dvec3 place = dust.tree.points()[at];
+    orient::Moments moments;
+    for (const std::int64_t other : near) moments.add(dust.tree.points()[other] - place);
+    const orient::Plane plane = orient::plane_of(moments);
+    const double along = std::sqrt(plane.variance[2]);
+    return std::abs(glm::dot(moments.sum / moments.count, plane.normal)) > strays_tuning.off_plane * along ||
+           std::sqrt(plane.variance[0]) > strays_tuning.thick * along;
+}
+
+// Returns whether a place is a stray: its neighbours are far away, farther than theirs, and it lies off their plane.
+bool is_stray(const Dust& dust, std::int64_t at, double usual) {
+    NearPlaces found;
+    const auto near = near_places(dust, at, found);
+    if (near.size() < found.size()) return true;
+    const double reach = reach_of(dust, at, near);
+    std::array<double, strays_tuning.neighbours> of_near{};
+    std::transform(near.begin(), near.end(), of_near.begin(),
+                   [&](std::int64_t other) { return dust.reach[static_cast<std::size_t>(other)]; });
+    std::nth_element(of_near.begin(), of_near.begin() + of_near.size() / 2, of_near.end());
+    const double limit = std::min(strays_tuning.sparse * std::max(usual, of_near[of_near.size() / 2]),
+                                  strays_tuning.very_sparse * usual);
+    return reach > limit && is_off_neighbours(dust, at, near);
 }
 
 } // namespace
 
-PointMask find_strays(const Points& points, Pool& pool) {
-    PointMask none(points.size(), 0, &pool);
-    if (points.size() < strays_tuning.fewest) return none;
-    geometry::Bounds bounds;
-    for (const glm::dvec3& p : points) bounds.extend(p);
-    const double root = std::sqrt(static_cast<double>(points.size()));
-    double side = bounds.diagonal() / root;
-    Vector<std::int64_t> cell_of(points.size(), 0, &pool);
-    Vector<OccupiedCell> cells(&pool);
-    while (true) {
-        if (!(side > 0.0)) return none;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const glm::dvec3 place = (points[i] - bounds.min) / side;
-            cell_of[i] = cell_number(cell_along(place.x), cell_along(place.y), cell_along(place.z));
-        }
-        cells = occupied_cells(cell_of, pool);
-        if (median_crowd(cells, points.size(), pool) >= strays_tuning.crowd) break;
-        const double next = strays_tuning.coarser * side;
-        if (!(next > side)) return none; // The cells are too small: rounding keeps the side from growing.
-        side = next;
-    }
-
-    Vector<std::int64_t> lonely(&pool); // the cells of possible strays, in ascending order
-    for (const OccupiedCell& cell : cells)
-        if (cell.points <= strays_tuning.alone && points_around(cell, cells) <= strays_tuning.alone)
-            lonely.push_back(cell.number);
+PointMask find_strays(const Points& points, const base::Parallel& parallel, Pool& pool) {
     PointMask strays(points.size(), 0, &pool);
+    Vector<std::size_t> number(&pool);
+    geometry::Bounds bounds;
     for (std::size_t i = 0; i < points.size(); ++i)
-        strays[i] = std::binary_search(lonely.begin(), lonely.end(), cell_of[i]) ? 1 : 0;
-    return static_cast<double>(count_in(strays)) <= strays_tuning.most * static_cast<double>(points.size()) ? strays
-                                                                                                            : none;
+        if (is_finite_point(points[i])) {
+            number.push_back(i);
+            bounds.extend(points[i]);
+        }
+    const double side = bounds.empty() ? 0.0 : bounds.longest_side();
+    if (number.size() < strays_tuning.fewest || !(side > 0.0) || !std::isfinite(side)) return strays;
+    geometry::VecArray finite(pool.memory());
+    for (const std::size_t i : number) finite.push_back((points[i] - bounds.min) / side);
+
+    Dust dust(finite, pool);
+    constexpr std::int64_t at_once = 1024;
+    parallel.for_chunks(dust.tree.size(), at_once, [&](std::int64_t begin, std::int64_t end) {
+        NearPlaces found;
+        for (std::int64_t at = begin; at < end; ++at)
+            dust.reach[static_cast<std::size_t>(at)] = reach_of(dust, at, near_places(dust, at, found));
+    });
+    Vector<double> reach(dust.reach, &pool);
+    const double usual = median_of(reach);
+    if (!(usual > 0.0)) return strays; // Most points are at places that several points share.
+    Vector<std::int64_t> sparse(&pool);
+    for (std::int64_t at = 0; at < dust.tree.size(); ++at)
+        if (dust.reach[static_cast<std::size_t>(at)] > strays_tuning.sparse * usual) sparse.push_back(at);
+    if (static_cast<double>(sparse.size()) > strays_tuning.most * static_cast<double>(number.size())) return strays;
+    // Without strays that are found, other strays have fewer neighbours, and are found, too.
+    for (int round = 0; round < strays_tuning.rounds; ++round) {
+        Vector<std::int64_t> found(&pool);
+        for (const std::int64_t at : sparse)
+            if (dust.is_stray[static_cast<std::size_t>(at)] == 0 && is_stray(dust, at, usual)) found.push_back(at);
+        if (found.empty()) break;
+        for (const std::int64_t at : found) dust.is_stray[static_cast<std::size_t>(at)] = 1;
+    }
+    for (std::int64_t at = 0; at < dust.tree.size(); ++at)
+        strays[number[static_cast<std::size_t>(dust.tree.index(at))]] = dust.is_stray[static_cast<std::size_t>(at)];
+    return strays;
 }
 
 } // namespace hrbfnpr::picture

@@ -3,6 +3,7 @@
 // shrink to a dot in the picture.
 #pragma once
 
+#include "base/parallel.h"
 #include "picture/shape.h"
 
 namespace hrbfnpr::picture {
@@ -25,9 +26,9 @@ std::int64_t leave_out_far(Shape& shape, Pool& pool);
 // Selects a few points if they lie far from most points. Points that are not finite are not selected.
 [[nodiscard]] PointMask far_from_most(const Points& points, Pool& pool);
 
-// Selects the finite points that are strays, such as dust in a scan. Strays would make false sheets of surface, so they
-// get no normals.
-[[nodiscard]] PointMask find_strays(const Points& points, Pool& pool);
+// Selects the finite points that are strays, such as dust in a scan: points where all are sparse, and that lie off the
+// plane of their neighbours. Strays would make false sheets of surface.
+[[nodiscard]] PointMask find_strays(const Points& points, const base::Parallel& parallel, Pool& pool);
 
 // Keeps the selected points, with their normals, faces and sharp edges. If a mesh would lose all faces, it changes
 // nothing and returns false.

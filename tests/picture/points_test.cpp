@@ -7,6 +7,7 @@
 #include "support/samples.h"
 
 #include "api/handles.h"
+#include "base/random.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -113,8 +114,9 @@ protected:
         return shape;
     }
     // Returns the value of the implicit function at the origin, which is negative inside.
-    static double value_at_origin(const Model& model) {
-        const std::array<double, 3> at{};
+    static double value_at_origin(const Model& model) { return value_at(model, glm::dvec3(0.0)); }
+    static double value_at(const Model& model, const glm::dvec3& place) {
+        const std::array<double, 3> at{place.x, place.y, place.z};
         double value = 0.0;
         const hrbfnpr_array points{at.data(), 1, 0, HRBFNPR_SCALAR_FLOAT64, 3};
         const hrbfnpr_array_out to{&value, 1, 0, HRBFNPR_SCALAR_FLOAT64, 1};
@@ -292,6 +294,27 @@ TEST_F(FitPoints, PointsFarFromAllOthersAreLeftOut) {
     EXPECT_THAT(notes(), testing::Not(testing::Contains(HasSubstr("far from all others"))));
 }
 
+// Dust in the box of a ball leaves the surface whole, with normals and without.
+TEST_F(FitPoints, DustInTheBoxIsLeftOut) {
+    for (const bool with_normals : {true, false}) {
+        Shape dusty = ball(1200);
+        for (std::uint64_t i = 0; i < 60; ++i) {
+            const auto random = base::uniform4(3, i, base::Purpose::probe, 1);
+            const glm::dvec3 place(2.0 * random[0] - 1.0, 2.0 * random[1] - 1.0, 2.0 * random[2] - 1.0);
+            dusty.points.push_back(place);
+            dusty.normals.push_back(glm::normalize(glm::dvec3(random[3] - 0.5, random[1] - 0.3, random[0] - 0.6)));
+        }
+        const Fitted fitted = fit(with_normals ? dusty : without_normals(dusty));
+        EXPECT_THAT(notes(), testing::Contains(HasSubstr("far from all others left out"))) << with_normals;
+        EXPECT_LE(fitted.surface.shape->points.size(), 1250U) << with_normals;
+        EXPECT_LT(value_at(fitted.surface.model, {0.0, 0.0, 0.0}), 0.0) << with_normals;
+        for (std::size_t i = 1200; i < dusty.points.size(); ++i) {
+            const double off = glm::length(dusty.points[i]) - 1.0;
+            if (std::abs(off) > 0.4) EXPECT_GT(value_at(fitted.surface.model, dusty.points[i]) * off, 0.0) << i;
+        }
+    }
+}
+
 // ---- The fit
 
 TEST_F(FitPoints, NoiseIsSmoothed) {
@@ -306,6 +329,27 @@ TEST_F(FitPoints, NoiseIsSmoothed) {
     fit(noisy);
     EXPECT_THAT(notes(), testing::Not(testing::Contains(smooth)));
     EXPECT_THAT(said_of(HRBFNPR_STAGE_FIT), HasSubstr("; passes through all samples"));
+}
+
+// The box of a closed surface contains the surface between few points.
+TEST_F(FitPoints, TheBoxOfFewPointsHoldsTheSurface) {
+    const Model model = fit(shape_of(test::even_torus(25))).surface.model;
+    const hrbfnpr_model_info info = model_info_of(model);
+    constexpr int cells = 24;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const bool high : {false, true})
+            for (int k = 0; k < cells * cells; ++k) {
+                glm::dvec3 place(0.0);
+                const std::array<double, 3> share{high ? 1.0 : 0.0, (k % cells + 0.5) / cells,
+                                                  (k / cells + 0.5) / cells};
+                for (int c = 0; c < 3; ++c) {
+                    const double margin = 0.05 * diagonal_of(info);
+                    const double low = info.bounds_min[(axis + c) % 3] - margin;
+                    const double top = info.bounds_max[(axis + c) % 3] + margin;
+                    place[(axis + c) % 3] = low + share[static_cast<std::size_t>(c)] * (top - low);
+                }
+                EXPECT_GT(value_at(model, place), 0.0) << axis << ' ' << high << ' ' << k;
+            }
 }
 
 TEST_F(FitPoints, FitOptionsAreApplied) {
