@@ -175,35 +175,30 @@ base::Array<std::uint8_t> find_held(const base::Runtime& runtime, const implicit
     return holds;
 }
 
-// Returns the parts of curves at whose points `holds` is 1. They end where `beyond` changes its sign.
-template <class Beyond>
-Curves held_parts(const base::Work& work, const Level& level, const Curves& curves,
-                  const base::Array<std::uint8_t>& holds, Beyond&& beyond) {
-    base::Array<Change> changes(work.memory);
-    for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
-        if (holds[at] == holds[next]) return;
-        const double from = holds[at] != 0 ? -1.0 : 1.0;
-        changes.push_back({at, next, Illinois(from, -from, curve_tuning.trusted_steps)});
-    });
-    std::int64_t evaluations = 0;
-    const base::Array<CurvePoint> ends = find_zeros(work, level, curves, changes, beyond, evaluations);
-    Curves result(work.memory);
+// Returns the parts of curves at whose points `holds` equals `wanted`. They end at the changes, whose places are
+// `ends`.
+Curves held_parts(const Curves& curves, const base::Array<std::uint8_t>& holds, const base::Array<Change>& changes,
+                  const base::Array<CurvePoint>& ends, bool wanted) {
+    base::Memory& memory = holds.memory();
+    HRBFNPR_ASSERT(ends.size() == changes.size());
+    Curves result(memory);
     // The points of a curve and its ends, and for each point whether it is in a part.
-    base::Array<CurvePoint> points(work.memory);
-    base::Array<std::uint8_t> held(work.memory);
+    base::Array<CurvePoint> points(memory);
+    base::Array<std::uint8_t> held(memory);
     std::int64_t next = 0; // the index of the next change
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         points.clear();
         held.clear();
-        const auto add = [&](const CurvePoint& p, std::uint8_t holds_it) {
+        const auto add = [&](const CurvePoint& p, bool holds_it) {
             points.push_back(p);
-            held.push_back(holds_it);
+            held.push_back(holds_it ? 1 : 0);
         };
         for (std::int64_t at = curves.first[c]; at < curves.first[c + 1]; ++at) {
-            add(curves.point[at], holds[at]);
+            const bool is_held = (holds[at] != 0) == wanted;
+            add(curves.point[at], is_held);
             if (next == changes.size() || changes[next].piece != at) continue;
-            const double from_held = holds[at] != 0 ? changes[next].share : 1.0 - changes[next].share;
-            if (from_held > curve_tuning.at_point) add(ends[next], 1);
+            const double from_held = is_held ? changes[next].share : 1.0 - changes[next].share;
+            if (from_held > curve_tuning.at_point) add(ends[next], true);
             ++next;
         }
         for_parts(
@@ -311,20 +306,35 @@ Curves finer_curves(const base::Work& work, const Level& contour, const View& vi
 }
 
 Curves clip(const base::Work& work, const Level& level, const implicit::Domain& domain, const Curves& curves) {
-    return held_parts(work, level, curves, find_held(work, domain, curves),
-                      [&](const CurvePoint& p) { return domain.beyond(p.position, p.gradient); });
+    const base::Array<std::uint8_t> holds = find_held(work, domain, curves);
+    const auto beyond = [&](const CurvePoint& p) { return domain.beyond(p.position, p.gradient); };
+    base::Array<Change> changes(work.memory);
+    for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
+        if (holds[at] == holds[next]) return;
+        const double from = holds[at] != 0 ? -1.0 : 1.0;
+        changes.push_back({at, next, Illinois(from, -from, curve_tuning.trusted_steps)});
+    });
+    std::int64_t evaluations = 0;
+    const base::Array<CurvePoint> ends = find_zeros(work, level, curves, changes, beyond, evaluations);
+    return held_parts(curves, holds, changes, ends, true);
 }
 
-Curves facing_parts(const base::Work& work, const Level& level, const View& view, bool by_level, bool outside,
-                    const Curves& curves) {
-    // The value is negative where the part is wanted.
+FacingParts facing_parts(const base::Work& work, const Level& level, const View& view, bool by_level,
+                         const Curves& curves) {
     const auto facing = [&](const CurvePoint& p) {
-        const double towards = glm::dot(by_level ? p.level_gradient : p.gradient, view.sight(p.position));
-        return outside ? towards : -towards;
+        return glm::dot(by_level ? p.level_gradient : p.gradient, view.sight(p.position));
     };
-    base::Array<std::uint8_t> holds(work.memory);
-    for (const CurvePoint& p : curves.point) holds.push_back(facing(p) < 0.0 ? 1 : 0);
-    return held_parts(work, level, curves, holds, facing);
+    base::Array<std::uint8_t> outside(work.memory);
+    for (const CurvePoint& p : curves.point) outside.push_back(facing(p) < 0.0 ? 1 : 0);
+    base::Array<Change> changes(work.memory);
+    for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
+        if (outside[at] == outside[next]) return;
+        changes.push_back(
+            {at, next, Illinois(facing(curves.point[at]), facing(curves.point[next]), curve_tuning.trusted_steps)});
+    });
+    std::int64_t evaluations = 0;
+    const base::Array<CurvePoint> turns = find_zeros(work, level, curves, changes, facing, evaluations);
+    return {held_parts(curves, outside, changes, turns, true), held_parts(curves, outside, changes, turns, false)};
 }
 
 } // namespace hrbfnpr::curves

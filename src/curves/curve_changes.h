@@ -27,10 +27,12 @@ namespace hrbfnpr::curves {
 [[nodiscard]] Curves clip(const base::Work& work, const Level& level, const implicit::Domain& domain,
                           const Curves& curves);
 
-// Returns the parts of curves where the eye sees the outside of a surface, if `outside` is set, or the inside
-// otherwise. They end exactly where the line of sight is tangent to the surface, which is f = 0, or g = 0 with
-// `by_level`.
-[[nodiscard]] Curves facing_parts(const base::Work& work, const Level& level, const View& view, bool by_level,
-                                  bool outside, const Curves& curves);
+// The parts of curves where the eye sees the outside of a surface, and those where it sees the inside.
+struct FacingParts {
+    Curves outside, inside;
+};
+// Divides curves exactly where the line of sight is tangent to a surface, which is f = 0, or g = 0 with `by_level`.
+[[nodiscard]] FacingParts facing_parts(const base::Work& work, const Level& level, const View& view, bool by_level,
+                                       const Curves& curves);
 
 } // namespace hrbfnpr::curves

@@ -372,13 +372,15 @@ void add_intersections(const base::Work& work, const base::List<LineSource>& sou
         const curves::IntersectionLevel level(source.lines().surface(), other.lines().surface(), its->to_other);
         const base::Work threads =
             source.lines().surface().threads(other.lines().surface().threads(work.without_progress()));
-        for (const bool outside : {true, false})
+        const curves::FacingParts of_first = curves::facing_parts(threads, level, source.view, false, wanted);
+        for (const bool outside : {true, false}) {
+            // A closed surface hides what is on its inside.
+            if (!outside && !source.is_open() && style.hidden == HiddenParts::none) continue;
+            curves::FacingParts of_other =
+                curves::facing_parts(threads, level, source.view, true, outside ? of_first.outside : of_first.inside);
             for (const bool other_outside : {true, false}) {
-                // A closed surface hides what is on its inside.
-                const bool is_hidden = (!outside && !source.is_open()) || (!other_outside && !other.is_open());
-                if (is_hidden && style.hidden == HiddenParts::none) continue;
-                curves::Curves parts = curves::facing_parts(threads, level, source.view, false, outside, wanted);
-                parts = curves::facing_parts(threads, level, source.view, true, other_outside, parts);
+                if (!other_outside && !other.is_open() && style.hidden == HiddenParts::none) continue;
+                curves::Curves& parts = other_outside ? of_other.outside : of_other.inside;
                 if (parts.count() == 0) continue;
                 const auto number = static_cast<std::int32_t>(out.subjects.size());
                 visibility::Subject& subject =
@@ -389,6 +391,7 @@ void add_intersections(const base::Work& work, const base::List<LineSource>& sou
                 subject.clearance = visibility::visibility_tuning.crease_clearance;
                 out.styles.push_back({&style, number, layer});
             }
+        }
     }
 }
 
