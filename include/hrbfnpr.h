@@ -4531,9 +4531,9 @@ typedef struct hrbfnpr_views_info {
 /* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_views_info_init(hrbfnpr_views_info* info, uint32_t struct_size);
 
-/* Writes a sheet of views of a picture's first part, which must have a model.  A picture made with SURFACE_ONLY is
- * enough, and its model has the cavities of a mesh; others may need SOLIDS as `parts`.  `desc`, `info` and `operation`
- * may be NULL.  The picture gets stages LINES and VIEWS, and notes UNIT_IS_METRE, NO_SYMMETRY, SECTION_OPEN and
+/* Writes a sheet of views of a picture's parts, which must have models.  A picture made with SURFACE_ONLY is enough,
+ * and its models have the cavities of meshes; others may need SOLIDS as `parts`.  `desc`, `info` and `operation` may be
+ * NULL.  The picture gets stages LINES and VIEWS, and notes UNIT_IS_METRE, NO_SYMMETRY, SECTION_OPEN and
  * LINES_VERIFIED.
  * Errors: INVALID_ARGUMENT (a picture of a point set; a text that is not understood; a plane that misses the model;
  * views that have no room on the paper at the scale: the message names a scale or paper with room), and those of

@@ -462,9 +462,9 @@ struct MeshGroup {
 // for a plate, which shows one surface.
 bool may_be_apart(const Options& options) {
     const bool wants_one = options.has(HRBFNPR_PICTURE_TOGETHER) || options.has(HRBFNPR_PICTURE_CLOSE) ||
-                           options.has(HRBFNPR_PICTURE_SURFACE_ONLY) || options.is_find() ||
-                           options.settings != nullptr || options.desc.profile == HRBFNPR_PROFILE_YES ||
-                           options.desc.scale_bar != nullptr || options.desc.source_count > 1;
+                           options.is_find() || options.settings != nullptr ||
+                           options.desc.profile == HRBFNPR_PROFILE_YES || options.desc.scale_bar != nullptr ||
+                           options.desc.source_count > 1;
     return !wants_one && chooses_samples(options);
 }
 

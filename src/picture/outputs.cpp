@@ -112,7 +112,7 @@ void write_sheet(hrbfnpr_picture& picture, const hrbfnpr_views_desc* desc, hrbfn
     const api::OperationUse use(operation);
     const Serving serving(picture.report, operation);
     auto written = defaults<hrbfnpr_views_info>(hrbfnpr_views_info_init);
-    write_views(picture.call(), surfaces.list.front(), surfaces.up, options, write, user, written);
+    write_views(picture.call(), surfaces.list, surfaces.up, options, write, user, written);
     use.finish();
     if (info != nullptr) api::write_struct(info, written);
 }

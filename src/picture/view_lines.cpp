@@ -171,7 +171,8 @@ Drawing draw_view_lines(const SheetView& view, const char* section, const Solid&
         line.taper = 0.0F;
         line.shortest = 0.0F;
     };
-    for (const std::uint32_t kind : {HRBFNPR_LINE_KIND_CONTOUR, HRBFNPR_LINE_KIND_BORDER, HRBFNPR_LINE_KIND_CREASE})
+    for (const std::uint32_t kind : {HRBFNPR_LINE_KIND_CONTOUR, HRBFNPR_LINE_KIND_BORDER, HRBFNPR_LINE_KIND_CREASE,
+                                     HRBFNPR_LINE_KIND_INTERSECTION})
         add(kind, nullptr);
     for (const std::uint32_t kind : solid.smooth) add(kind, nullptr);
     if (solid.has_tangents) add(HRBFNPR_LINE_KIND_TANGENT_EDGE, nullptr);
@@ -187,12 +188,17 @@ Drawing draw_view_lines(const SheetView& view, const char* section, const Solid&
     style.line_count = static_cast<std::int64_t>(lines.size());
     style.halo_width = 0.0F;
     style.tone = HRBFNPR_TONE_NONE;
-    auto item = defaults<hrbfnpr_item>(hrbfnpr_item_init);
-    item.point_set = solid.marks.get();
-    item.style = &style;
-    item.line_set = solid.lines.get();
+    Vector<hrbfnpr_item> items(&pool);
+    solid.for_surfaces([&](const Solid& surface) {
+        hrbfnpr_item& item = items.emplace_back(defaults<hrbfnpr_item>(hrbfnpr_item_init));
+        item.point_set = surface.marks.get();
+        item.style = &style;
+        item.line_set = surface.lines.get();
+    });
     return make<Drawing>([&](hrbfnpr_drawing** out, hrbfnpr_error* error) {
-        return hrbfnpr_renderer_draw_with_operation(solid.renderer.get(), &item, 1, 0, &camera, operation, out, error);
+        return hrbfnpr_renderer_draw_with_operation(solid.renderer.get(), items.data(),
+                                                    static_cast<std::int64_t>(items.size()), 0, &camera, operation, out,
+                                                    error);
     });
 }
 
@@ -286,6 +292,7 @@ LinesByKind traced_lines(const Drawing& drawing, double picture_size, Pool& pool
 // nearer to each other than 1 / (2 * steps) diagonals.
 struct Sight {
     const Solid& solid;
+    const Solid& surface; // the surface that the rays meet: `solid`, or one of its others
     const SheetView& view;
     const CutPlane* plane;             // may be null
     const Vector<PaperLine>& outlines; // closed outlines of the cut, in units of the model
@@ -304,8 +311,8 @@ void evaluate(const Sight& sight, const Points& points, Vector<double>& values, 
         gradient = room_in(*gradients);
     }
     call([&](hrbfnpr_error* error) {
-        return hrbfnpr_model_evaluate(sight.solid.model.get(), &at, &value, gradients != nullptr ? &gradient : nullptr,
-                                      nullptr, sight.operation, error);
+        return hrbfnpr_model_evaluate(sight.surface.model.get(), &at, &value,
+                                      gradients != nullptr ? &gradient : nullptr, nullptr, sight.operation, error);
     });
 }
 
@@ -392,7 +399,7 @@ void follow_open(const Sight& sight, const Points& starts, const Vector<double>&
     const Points directions(rays.size(), sight.view.eye, &sight.pool);
     auto desc = defaults<hrbfnpr_cast_desc>(hrbfnpr_cast_desc_init);
     desc.t_max = longest;
-    desc.lipschitz = sight.solid.lipschitz;
+    desc.lipschitz = sight.surface.lipschitz;
     Vector<double> t(rays.size(), &sight.pool);
     Vector<std::uint32_t> hit(rays.size(), &sight.pool);
     auto hits = defaults<hrbfnpr_ray_hits>(hrbfnpr_ray_hits_init);
@@ -402,7 +409,7 @@ void follow_open(const Sight& sight, const Points& starts, const Vector<double>&
     const hrbfnpr_array from = view_of(origins);
     const hrbfnpr_array along = view_of(directions);
     call([&](hrbfnpr_error* error) {
-        return hrbfnpr_model_cast_rays(sight.solid.model.get(), &from, &along, &desc, &hits, sight.operation, error);
+        return hrbfnpr_model_cast_rays(sight.surface.model.get(), &from, &along, &desc, &hits, sight.operation, error);
     });
     for (std::size_t i = 0; i < rays.size(); ++i)
         if (hit[i] > 0 && t[i] <= step_of(rays[i])) hidden[rays[i]] = 1;
@@ -421,27 +428,41 @@ bool is_in_cut(const Sight& sight, const glm::dvec3& place) noexcept {
     return is_odd;
 }
 
-void hides_some(const Sight& sight, const Points& places, double off, std::uint8_t* hidden) {
+// Returns the starts of rays from places on surfaces: `outside` away from each surface on which the place lies. A place
+// lies on the only surface, or on those that are nearer than `outside`.
+Points starts_outside(const Sight& sight, const Points& places, double outside) {
+    Points starts(places.begin(), places.end(), &sight.pool);
     Vector<double> values(&sight.pool);
     Points gradients(&sight.pool);
-    evaluate(sight, places, values, &gradients);
-    Points starts(&sight.pool);
+    sight.solid.for_surfaces([&](const Solid& surface) {
+        evaluate({sight.solid, surface, sight.view, sight.plane, sight.outlines, sight.operation, sight.pool}, places,
+                 values, &gradients);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const double slope = std::max(glm::length(gradients[i]), 1e-300);
+            if (!sight.solid.others.empty() && !(std::abs(values[i]) <= outside * slope)) continue;
+            glm::dvec3 outward = gradients[i] / slope;
+            if (surface.is_open && glm::dot(outward, sight.view.eye) < 0.0) outward = -outward;
+            starts[i] += outside * outward;
+        }
+    });
+    return starts;
+}
+
+void hides_some(const Sight& sight, const Points& places, double off, std::uint8_t* hidden) {
+    const Points starts = starts_outside(sight, places, off * sight.solid.diagonal);
     Vector<double> lengths(&sight.pool);
-    const double outside = off * sight.solid.diagonal;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        glm::dvec3 outward = gradients[i] / std::max(glm::length(gradients[i]), 1e-300);
-        if (sight.solid.is_open && glm::dot(outward, sight.view.eye) < 0.0) outward = -outward;
-        starts.push_back(places[i] + outside * outward);
-        const double to_plane = sight.plane == nullptr ? sight.solid.diagonal
-                                                       : sight.plane->place - glm::dot(starts[i], sight.plane->normal);
+    for (const glm::dvec3& start : starts) {
+        const double to_plane =
+            sight.plane == nullptr ? sight.solid.diagonal : sight.plane->place - glm::dot(start, sight.plane->normal);
         lengths.push_back(std::max(to_plane, 0.0));
     }
-    if (!sight.solid.is_open) {
-        look_up_solid(sight, starts, lengths, hidden);
-        return;
-    }
-    follow_open(sight, starts, lengths, hidden);
-    if (sight.plane == nullptr) return;
+    bool is_open = false;
+    sight.solid.for_surfaces([&](const Solid& surface) {
+        const Sight one{sight.solid, surface, sight.view, sight.plane, sight.outlines, sight.operation, sight.pool};
+        is_open = is_open || surface.is_open;
+        (surface.is_open ? follow_open : look_up_solid)(one, starts, lengths, hidden);
+    });
+    if (!is_open || sight.plane == nullptr) return;
     const double behind = sight_tuning.behind * sight.solid.diagonal;
     for (std::size_t i = 0; i < places.size(); ++i) // The area of the cut is solid, so it hides the places beyond it.
         if (sight.plane->place - glm::dot(places[i], sight.plane->normal) > behind && is_in_cut(sight, places[i]))
@@ -599,13 +620,15 @@ TracedLines parts_behind(const TracedLines& lines, const CutPlane& plane, Pool& 
 
 TracedLines creases_in(const SheetView& view, const Solid& solid, double scale, Pool& pool) {
     TracedLines lines(&pool);
-    for (const Points& crease : solid.creases) {
-        TracedLine line(pool);
-        line.places.assign(crease.begin(), crease.end());
-        for (const glm::dvec3& place : crease) line.points.push_back(scale * view.flat(place, solid.middle));
-        line.hidden.assign(crease.size() - 1, 0);
-        lines.push_back(std::move(line));
-    }
+    solid.for_surfaces([&](const Solid& surface) {
+        for (const Points& crease : surface.creases) {
+            TracedLine line(pool);
+            line.places.assign(crease.begin(), crease.end());
+            for (const glm::dvec3& place : crease) line.points.push_back(scale * view.flat(place, solid.middle));
+            line.hidden.assign(crease.size() - 1, 0);
+            lines.push_back(std::move(line));
+        }
+    });
     return lines;
 }
 
@@ -682,10 +705,11 @@ ViewLines lines_of_view(const SheetView& view, const Vector<CutPlane>& planes, c
         PaperLine& outline = closed.emplace_back();
         for (const glm::dvec2& p : line.points) outline.push_back(p / scale);
     }
-    const Sight sight{solid, view, plane, closed, operation, pool};
+    const Sight sight{solid, solid, view, plane, closed, operation, pool};
 
     TracedLines contours(&pool);
-    for (const std::uint32_t kind : {HRBFNPR_LINE_KIND_CONTOUR, HRBFNPR_LINE_KIND_BORDER, HRBFNPR_LINE_KIND_CREASE})
+    for (const std::uint32_t kind : {HRBFNPR_LINE_KIND_CONTOUR, HRBFNPR_LINE_KIND_BORDER, HRBFNPR_LINE_KIND_CREASE,
+                                     HRBFNPR_LINE_KIND_INTERSECTION})
         take_kind(found, kind, contours);
     TracedLines smooth(&pool);
     for (const std::uint32_t kind : solid.smooth) take_kind(found, kind, smooth);
@@ -698,9 +722,10 @@ ViewLines lines_of_view(const SheetView& view, const Vector<CutPlane>& planes, c
         smooth = asked_lines(parts_behind(smooth, *plane, pool), sight, tuned_lines.off_surface);
         tangents = asked_lines(parts_behind(tangents, *plane, pool), sight, tuned_lines.off_edge);
     }
+    const bool has_edges = !creases.empty();
     creases = asked_lines(creases, sight, tuned_lines.off_edge);
 
-    if (!solid.creases.empty())
+    if (has_edges)
         contours.erase(std::remove_if(contours.begin(), contours.end(),
                                       [](const TracedLine& line) {
                                           return !(size_of_line(line.points) > tuned_lines.smallest_contour);

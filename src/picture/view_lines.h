@@ -13,23 +13,32 @@
 
 namespace hrbfnpr::picture {
 
-// The object that is drawn: a model, its lines and edges, and its middle.
+// The object that is drawn: a model, its lines and edges, and its middle. An object of several surfaces has one of its
+// models here, and each of the others in a Solid of its own.
 struct Solid {
-    explicit Solid(Pool& pool) : creases(&pool), smooth(&pool), middle(0.0) {}
+    explicit Solid(Pool& pool) : creases(&pool), others(&pool), smooth(&pool), middle(0.0) {}
 
     Model model;
     LineSet lines;
-    PointSet marks; // marks that a frame needs; they are not drawn
+    PointSet marks;         // marks that a frame needs; they are not drawn
+    Vector<Points> creases; // the sharp edges of a mesh
+    bool is_open = false;   // True if the surface is a sheet that ends, so that both of its sides may be visible.
+    double lipschitz = 0.0; // for an open surface: the Lipschitz constant that rays use
+    Vector<Solid> others;   // the other surfaces of the object; only the members above are used
     Renderer renderer;
-    Vector<Points> creases;       // the sharp edges of a mesh
     bool has_tangents = false;    // whether `lines` has tangent edges
     Vector<std::uint32_t> smooth; // the kinds (HRBFNPR_LINE_KIND_*) of lines that are not sharp edges
     glm::dvec3 middle;
     double diagonal = 0.0;    // above 0
     bool is_verified = false; // True if drawn lines are compared with rays.
     bool is_shell = false;    // True if the object is so open that it has no inside; cuts of it are lines.
-    bool is_open = false;     // True if the object is a sheet that ends, so that both of its sides may be visible.
-    double lipschitz = 0.0;   // for an open surface: the Lipschitz constant that rays use
+
+    // Calls f for each surface of the object.
+    template <class F>
+    void for_surfaces(F&& f) const {
+        f(*this);
+        for (const Solid& other : others) f(other);
+    }
 };
 
 // Returns the edges of a mesh, except short ones with a free end, which are the facets of a rounded shape.

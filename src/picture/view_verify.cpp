@@ -57,27 +57,32 @@ Vector<CurveRun> runs_of_curves(const Vector<ViewCurve>& curves, const Vector<Ve
 }
 
 base::Array<Sighting> look(const ViewSight& sight, const Vector<CurveRun>& runs, const Vector<RunPlace>& places) {
-    const hrbfnpr_line_set& lines = *sight.solid.lines.get();
-    visibility::Occluder occluder;
-    occluder.sheet_counter = &lines.lines.sheets();
-    occluder.surface = &lines.lines.surface();
-    occluder.eye = glm::dvec4(-sight.view.eye, 0.0);
+    Vector<visibility::Occluder> occluders(&sight.pool);
+    bool is_open = false;
+    sight.solid.for_surfaces([&](const Solid& surface) {
+        const hrbfnpr_line_set& lines = *surface.lines.get();
+        visibility::Occluder& occluder = occluders.emplace_back();
+        occluder.sheet_counter = &lines.lines.sheets();
+        occluder.surface = &lines.lines.surface();
+        occluder.eye = glm::dvec4(-sight.view.eye, 0.0);
+        is_open = is_open || surface.is_open;
+    });
     Vector<SightPlace> rays(&sight.pool);
     for (const RunPlace& place : places) {
         const std::size_t number = runs[place.run].curve;
         const ViewCurve& curve = sight.curves[number];
         SightPlace& ray = rays.emplace_back();
         ray.place = interpolated<glm::dvec3>(sight.along[number], curve.places, place.at);
-        ray.item = 0;
+        ray.item = occluders.size() == 1 ? 0 : visibility::any_item;
         ray.margin = tuned_proof.margin / sight.scale;
         ray.lift = std::max(curve.lift, ray.margin);
         if (sight.plane == nullptr) continue;
         ray.reach = std::max(0.0, sight.plane->place - glm::dot(ray.place, sight.plane->normal));
-        ray.is_cut = !sight.solid.is_open;
+        ray.is_cut = !is_open;
     }
-    const base::Work work(lines.runtime(),
+    const base::Work work(sight.solid.lines.get()->runtime(),
                           sight.operation != nullptr ? base::Progress(&sight.operation->operation) : base::Progress());
-    base::Array<Sighting> seen = visibility::look_at(work.without_progress(), {&occluder, 1}, rays);
+    base::Array<Sighting> seen = visibility::look_at(work.without_progress(), occluders, rays);
     for (std::size_t i = 0; i < places.size(); ++i) {
         Sighting& sighting = seen[static_cast<std::int64_t>(i)];
         if (runs[places[i].run].hidden && sighting.grazes && sighting.seen == Seen::visible)

@@ -190,10 +190,13 @@ PointSet stipples_on(const Call& call_, const Model& model, std::int64_t budget,
     });
 }
 
-// Returns places spread over the whole model.
-Points places_of_model(const Call& call, const Surface& surface) {
-    Points places = probe(call, surface.model).places;
-    if (surface.shape != nullptr && trim_info_of(surface.model).is_trimmed == 0) {
+// Returns places spread over all models.
+Points places_of_models(const Call& call, std::span<const Surface> surfaces) {
+    Points places(&call.pool);
+    for (const Surface& surface : surfaces) {
+        const Points some = probe(call, surface.model).places;
+        places.insert(places.end(), some.begin(), some.end());
+        if (surface.shape == nullptr || trim_info_of(surface.model).is_trimmed != 0) continue;
         const Points centres = centres_of(surface.model, call.pool);
         places.insert(places.end(), centres.begin(), centres.end());
     }
@@ -254,20 +257,12 @@ void trace_lines_of(Solid& solid, const Call& call_, const Surface& surface, con
                          static_cast<long long>(info.triangles)));
 }
 
-// Prepares the model with all lines that the views need.
-Solid solid_of(const Call& call_, const Surface& surface, const ViewsOptions& options, const SheetPlan& plan) {
-    Pool& pool = call_.pool;
-    Solid solid(pool);
+// Prepares a model with all lines that the views need.
+Solid solid_of_surface(const Call& call_, const Surface& surface, const ViewsOptions& options, const SheetPlan& plan) {
+    Solid solid(call_.pool);
     solid.model = surface.model;
-    solid.middle = plan.middle;
-    solid.diagonal = plan.diagonal;
-    solid.is_verified = options.verify;
-    solid.smooth.assign(options.smooth.begin(), options.smooth.end());
     trace_lines_of(solid, call_, surface, options, plan);
     solid.marks = stipples_on(call_, solid.model, views_tuning.marks, nullptr);
-    solid.renderer = make<Renderer>([&](hrbfnpr_renderer** out, hrbfnpr_error* error) {
-        return hrbfnpr_renderer_create(&call_.context, out, error);
-    });
     const hrbfnpr_trim_info trim = trim_info_of(solid.model);
     solid.is_open = trim.is_trimmed != 0 && trim.share > sight_tuning.open;
     solid.is_shell = solid.is_open && trim.share > sight_tuning.shell;
@@ -275,6 +270,26 @@ Solid solid_of(const Call& call_, const Surface& surface, const ViewsOptions& op
         call([&](hrbfnpr_error* error) {
             return hrbfnpr_model_lipschitz(solid.model.get(), &solid.lipschitz, nullptr, error);
         });
+    return solid;
+}
+
+// Prepares all models of the object.
+Solid solid_of(const Call& call_, std::span<const Surface> surfaces, const ViewsOptions& options,
+               const SheetPlan& plan) {
+    HRBFNPR_ASSERT(!surfaces.empty());
+    Solid solid = solid_of_surface(call_, surfaces.front(), options, plan);
+    for (const Surface& other : surfaces.subspan(1)) {
+        solid.others.push_back(solid_of_surface(call_, other, options, plan));
+        solid.has_tangents = solid.has_tangents || solid.others.back().has_tangents;
+        solid.is_shell = solid.is_shell && solid.others.back().is_shell;
+    }
+    solid.is_verified = options.verify;
+    solid.middle = plan.middle;
+    solid.diagonal = plan.diagonal;
+    solid.smooth.assign(options.smooth.begin(), options.smooth.end());
+    solid.renderer = make<Renderer>([&](hrbfnpr_renderer** out, hrbfnpr_error* error) {
+        return hrbfnpr_renderer_create(&call_.context, out, error);
+    });
     return solid;
 }
 
@@ -288,16 +303,18 @@ Points thinned(Points points, std::int64_t wanted, Pool& pool) {
     return some;
 }
 
-// Returns the normals of those planes through the middle that are planes of symmetry of the surface.
-Vector<glm::dvec3> symmetric_planes(const Call& call_, const Model& model, const SheetPlan& plan) {
+// Tells for each of the three planes through the middle whether it is a plane of symmetry of a surface.
+std::array<bool, 3> symmetry_of(const Call& call_, const Model& model, const SheetPlan& plan) {
     Pool& pool = call_.pool;
-    Vector<glm::dvec3> found(&pool);
+    std::array<bool, 3> found{};
     Points points = centres_of(model, pool);
     // A model without a fit, such as a solid combined from others, has no centres.
     if (points.empty()) points = positions_of(stipples_on(call_, model, views_tuning.mirrored, nullptr), pool);
     points = thinned(std::move(points), views_tuning.mirrored, pool);
     if (points.empty()) return found;
-    for (const glm::dvec3& normal : {plan.axes.right, plan.axes.up, plan.axes.front}) {
+    const std::array normals{plan.axes.right, plan.axes.up, plan.axes.front};
+    for (std::size_t plane = 0; plane < normals.size(); ++plane) {
+        const glm::dvec3& normal = normals[plane];
         Points mirrored(&pool);
         for (const glm::dvec3& p : points) mirrored.push_back(p - 2.0 * (glm::dot(p - plan.middle, normal) * normal));
         Vector<double> away(mirrored.size(), &pool);
@@ -310,9 +327,22 @@ Vector<glm::dvec3> symmetric_planes(const Call& call_, const Model& model, const
         });
         for (std::size_t i = 0; i < away.size(); ++i)
             away[i] = std::abs(away[i]) / std::max(glm::length(gradients[i]), 1e-300);
-        if (percentile(away, views_tuning.symmetric_percent) < views_tuning.symmetric * plan.diagonal)
-            found.push_back(normal);
+        found[plane] = percentile(away, views_tuning.symmetric_percent) < views_tuning.symmetric * plan.diagonal;
     }
+    return found;
+}
+
+// Returns the normals of those planes through the middle that are planes of symmetry of all surfaces.
+Vector<glm::dvec3> symmetric_planes(const Call& call_, std::span<const Surface> surfaces, const SheetPlan& plan) {
+    std::array<bool, 3> all{true, true, true};
+    for (const Surface& surface : surfaces) {
+        const std::array<bool, 3> own = symmetry_of(call_, surface.model, plan);
+        for (std::size_t plane = 0; plane < all.size(); ++plane) all[plane] = all[plane] && own[plane];
+    }
+    const std::array normals{plan.axes.right, plan.axes.up, plan.axes.front};
+    Vector<glm::dvec3> found(&call_.pool);
+    for (std::size_t plane = 0; plane < all.size(); ++plane)
+        if (all[plane]) found.push_back(normals[plane]);
     return found;
 }
 
@@ -375,12 +405,13 @@ void mark_view(SheetContent& content, const PlacedView& placed, const ViewCell& 
     if (cell.has_label) add_view_name(content, placed);
 }
 
-SheetContent draw_sheet(const Call& call, const Surface& surface, const ViewsOptions& options, const SheetPlan& plan) {
+SheetContent draw_sheet(const Call& call, std::span<const Surface> surfaces, const ViewsOptions& options,
+                        const SheetPlan& plan) {
     Pool& pool = call.pool;
-    const Solid solid = solid_of(call, surface, options, plan);
+    const Solid solid = solid_of(call, surfaces, options, plan);
     Vector<glm::dvec3> symmetric(&pool);
     if (options.centre_lines) {
-        symmetric = symmetric_planes(call, surface.model, plan);
+        symmetric = symmetric_planes(call, surfaces, plan);
         if (symmetric.empty())
             call.report.note(HRBFNPR_NOTE_NO_SYMMETRY, {},
                              "{centre_lines!}: the model has no plane of symmetry through its middle");
@@ -490,9 +521,9 @@ ViewsOptions read_views(const hrbfnpr_views_desc& desc, const Report& report) {
     return options;
 }
 
-void write_views(const Call& call, const Surface& surface, const glm::dvec3& up, const ViewsOptions& options,
+void write_views(const Call& call, std::span<const Surface> surfaces, const glm::dvec3& up, const ViewsOptions& options,
                  hrbfnpr_write_fn write, void* user, hrbfnpr_views_info& info) {
-    HRBFNPR_ASSERT(surface.model && glm::length(up) > 0.0 && !options.views.empty());
+    HRBFNPR_ASSERT(!surfaces.empty() && glm::length(up) > 0.0 && !options.views.empty());
     Pool& pool = call.pool;
     constexpr double metre = 1000.0;
     double unit_mm = options.unit_mm.value_or(1.0);
@@ -500,8 +531,8 @@ void write_views(const Call& call, const Surface& surface, const glm::dvec3& up,
         unit_mm = metre;
         call.report.note(HRBFNPR_NOTE_UNIT_IS_METRE, {}, "glTF is in metres: a unit is 1000 mm ({unit_mm} changes it)");
     }
-    const SheetPlan plan = plan_sheet(call, options, up, places_of_model(call, surface), unit_mm);
-    SheetContent content = draw_sheet(call, surface, options, plan);
+    const SheetPlan plan = plan_sheet(call, options, up, places_of_models(call, surfaces), unit_mm);
+    SheetContent content = draw_sheet(call, surfaces, options, plan);
 
     const SheetPage& page = plan.layout.page;
     const String title(options.title.empty() ? stem_of(options.model) : std::string_view(options.title), &pool);

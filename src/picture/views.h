@@ -16,6 +16,7 @@
 #include <hrbfnpr.h>
 
 #include <optional>
+#include <span>
 
 namespace hrbfnpr::picture {
 
@@ -51,8 +52,9 @@ struct ViewsOptions {
 // Reads and checks a descriptor. Throws Error{invalid_argument} that names the field and the values it may have.
 [[nodiscard]] ViewsOptions read_views(const hrbfnpr_views_desc& desc, const Report& report);
 
-// Draws the views of a surface and writes the sheet, in the stages LINES and VIEWS. `up` may have any length except 0.
-void write_views(const Call& call, const Surface& surface, const glm::dvec3& up, const ViewsOptions& options,
+// Draws the views of an object and writes the sheet, in the stages LINES and VIEWS. The object consists of the given
+// surfaces. `up` may have any length except 0.
+void write_views(const Call& call, std::span<const Surface> surfaces, const glm::dvec3& up, const ViewsOptions& options,
                  hrbfnpr_write_fn write, void* user, hrbfnpr_views_info& info);
 
 } // namespace hrbfnpr::picture

@@ -364,7 +364,8 @@ base::Array<Sighting> look_at(const base::Work& work, std::span<const Occluder> 
             for (std::int64_t i = begin; i < end; ++i) {
                 const SightPlace& place = places[static_cast<std::size_t>(i)];
                 SightRay& ray = batch->rays[static_cast<std::size_t>(i - begin)];
-                ray = ray_to_eye(occluder, from_world, place, place.item == static_cast<std::int32_t>(o));
+                ray = ray_to_eye(occluder, from_world, place,
+                                 place.item == any_item || place.item == static_cast<std::int32_t>(o));
                 if (found[i].seen == Seen::hidden) ray.phase = SightRay::Phase::done;
             }
             batch->run(static_cast<std::size_t>(end - begin), threads);

@@ -15,10 +15,13 @@ namespace hrbfnpr::visibility {
 
 enum class Seen : std::uint8_t { visible, hidden, undecided };
 
+// Stands for each occluder whose surface is near a place.
+inline constexpr std::int32_t any_item = -1;
+
 // A place on a line, in the world.
 struct SightPlace {
     glm::dvec3 place;
-    std::int32_t item; // the occluder on whose surface the place lies
+    std::int32_t item; // the occluder on whose surface the place lies, or any_item
     // A surface decides only if the ray passes through it, or passes by it, at more than this distance from its
     // outline, in world units.
     double margin;

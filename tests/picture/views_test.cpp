@@ -48,7 +48,9 @@ protected:
             return 0;
         };
         const Call call = planned.call();
-        write_views(call, surface, {0, 0, 1}, read_views(desc, call.report), write, &bytes, info);
+        std::vector<Surface> surfaces(others);
+        surfaces.push_back(surface);
+        write_views(call, surfaces, {0, 0, 1}, read_views(desc, call.report), write, &bytes, info);
         return bytes;
     }
     [[nodiscard]] std::string refusal() {
@@ -64,6 +66,7 @@ protected:
     PlannedCall planned;
     Pool& pool = planned.pool;
     Surface surface;
+    std::vector<Surface> others;
     hrbfnpr_views_desc desc = picture::defaults<hrbfnpr_views_desc>(hrbfnpr_views_desc_init);
     hrbfnpr_views_info info{};
 };
@@ -103,6 +106,32 @@ TEST_F(ViewsTest, CutsOfAShellAreLines) {
     EXPECT_THAT(sheet, HasSubstr("outlines B-B"));
     EXPECT_THAT(sheet, Not(HasSubstr("hatching")));
     for (const Note& note : planned.report->notes) EXPECT_NE(note.code, HRBFNPR_NOTE_SECTION_OPEN);
+}
+
+// Two balls of radius 1, a unit apart, cross in a circle that is seen as a line in the front view.
+TEST_F(ViewsTest, SurfacesThatCrossHaveALine) {
+    test::Samples samples = test::sphere(200);
+    for (std::size_t i = 0; i < samples.points.size(); i += 3) samples.points[i] += 1.0;
+    auto fit = picture::defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
+    fit.points = {samples.points.data(), samples.count(), 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    fit.normals = {samples.normals.data(), samples.count(), 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    others.emplace_back().model = make<picture::Model>([&](hrbfnpr_model** made, hrbfnpr_error* error) {
+        return hrbfnpr_model_fit(planned.context.get(), &fit, nullptr, made, error);
+    });
+    desc.views = "front";
+    desc.sections = "z:0";
+    desc.scale = "1:1";
+    const std::string sheet = written();
+    EXPECT_THAT(sheet, HasSubstr("outlines front"));
+    const auto strokes_of = [&](const std::string& layer) {
+        const std::size_t begin = sheet.find("inkscape:label=\"" + layer + "\"");
+        const std::string group = sheet.substr(begin, sheet.find("</g>", begin) - begin);
+        std::size_t count = 0;
+        for (std::size_t at = group.find("<path"); at != std::string::npos; at = group.find("<path", at + 1)) ++count;
+        return count;
+    };
+    // The outline of both balls and the circle in which they cross.
+    EXPECT_GE(strokes_of("outlines front"), 2U);
 }
 
 TEST_F(ViewsTest, UnitsAndTitlesAreApplied) {

@@ -43,7 +43,7 @@ SightPlace sight_place(const LineInput& in, std::int32_t line, double at) {
     const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(subject.to_world))));
     SightPlace found;
     found.place = glm::dvec3(subject.to_world * glm::dvec4(p, 1.0));
-    found.item = subject.item;
+    found.item = subject.other_item < 0 ? subject.item : visibility::any_item;
     found.margin = pixels > 0.0 ? scale * line_tuning.verified_margin / pixels : 0.0;
     found.lift = std::max(found.margin, scale * subject.clearance * subject.side);
     return found;

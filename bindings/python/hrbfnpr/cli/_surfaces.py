@@ -29,12 +29,15 @@ _STIPPLE_FIELDS = ("density", "density_strength")
 _NUMBER_FIELDS = ("line_width", "hatch_spacing", "spacing", "crease_angle", "unit_mm")
 
 
-def surface_of(arguments: Any, options: Options, context: Context, report: AnyReporter, otherwise: str) -> Scene:
-    """A scene with the contents of a file as one surface.
+def surface_of(
+    arguments: Any, options: Options, context: Context, report: AnyReporter, otherwise: str, together: bool = True
+) -> Scene:
+    """A scene with the contents of a file as one surface, or as several if not `together`.
 
     If the file holds marks only, the error says that it holds `otherwise`.
     """
-    scene = scene_of(arguments.input, None, options, None, context, report, flags=("SURFACE_ONLY", "TOGETHER"))
+    scene = scene_of(arguments.input, None, options, None, context, report,
+                     flags=("SURFACE_ONLY", "TOGETHER") if together else ("SURFACE_ONLY",))  # fmt: skip
     if scene.model is None:
         raise UsageError(f"{arguments.input} holds {otherwise}")
     return scene
@@ -113,7 +116,7 @@ def views(arguments: Any, options: Options, context: Context, report: Reporter) 
     if format_of(output) is None:
         raise ValueError(f"{output}: a sheet of views is a vector file: use .svg, .pdf, .hpgl, .gcode or .dxf")
     check_drawing(output)
-    scene = surface_of(arguments, options, context, report, "a point set; views need a mesh, points or a model")
+    scene = surface_of(arguments, options, context, report, "a point set; views need a mesh, points or a model", together=False)
     desc, keep = _views_desc(arguments, scene, str(format_of(output)))
     buffer = io.BytesIO()
     info = scene.write_views(buffer, desc, report)
