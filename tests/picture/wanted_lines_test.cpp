@@ -46,9 +46,10 @@ TEST_F(WantedLinesTest, ReadsKindsAndTheirSettings) {
 }
 
 TEST_F(WantedLinesTest, NamesValidChoices) {
-    EXPECT_EQ(refusal("contour,hatch"), "there are no lines 'hatch'; there are contour, suggestive, ridges, valleys, "
-                                        "apparent, parabolic, isophotes, section, border, crease, shadow, terminator, "
-                                        "soft, tangent and none");
+    EXPECT_EQ(refusal("contour,hatch"),
+              "there are no lines 'hatch'; there are contour, suggestive, ridges, valleys, "
+              "apparent, parabolic, isophotes, section, border, crease, intersection, shadow, terminator, "
+              "soft, tangent and none");
     for (const char* const wrong : {"own", "contour,", ",contour", "Contour", "none,contour", "=", "con\xff"})
         EXPECT_NE(refusal(wrong).find("there are no lines"), std::string::npos) << wrong;
     EXPECT_EQ(refusal("section=w:3"), "'section=w:3' is not understood: write section=z:20 or isophotes=0.3:0.6");

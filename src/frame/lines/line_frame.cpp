@@ -374,7 +374,7 @@ void add_intersections(const base::Work& work, const base::List<LineSource>& sou
             source.lines().surface().threads(other.lines().surface().threads(work.without_progress()));
         const curves::FacingParts of_first = curves::facing_parts(threads, level, source.view, false, wanted);
         for (const bool outside : {true, false}) {
-            // A closed surface hides what is on its inside.
+            // A closed surface hides the lines on its inside.
             if (!outside && !source.is_open() && style.hidden == HiddenParts::none) continue;
             curves::FacingParts of_other =
                 curves::facing_parts(threads, level, source.view, true, outside ? of_first.outside : of_first.inside);
