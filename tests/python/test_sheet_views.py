@@ -264,3 +264,26 @@ def test_tangent_edges_can_be_left_out(pin, tmp_path):
 def test_scans_have_no_tangent_edges(egg, ring, bush, tmp_path):
     for model in (egg, ring, bush):
         assert not any(name.startswith("tangent") for name in drawn(model, tmp_path, "--views", "front,iso"))
+
+
+def test_draw_has_tangent_edges_on_request(pin, egg, tmp_path, capsys):
+    output = tmp_path / "pin.svg"
+    options = ["--style", "silhouette", "--up", "z", "--page", "a5", "--quiet"]
+    assert main(["draw", str(pin), str(output), "--lines", "contour,crease,tangent", *options]) == 0
+    assert "tangent edge" in paths_of(output)
+    assert main(["draw", str(pin), str(output), *options]) == 0
+    assert "tangent edge" not in paths_of(output)
+    assert main(["draw", str(egg), str(output), "--lines", "tangent", *options]) == 2
+    assert "tangent edges need a mesh" in capsys.readouterr().err
+
+
+def test_a_mesh_tells_its_tangent_edges(pin):
+    from hrbfnpr import Mesh
+    from hrbfnpr.shapes import read
+
+    shape = read(pin)
+    mesh = Mesh(shape.points, shape.triangles)
+    sharp = mesh.edges(tangent=True).sharp
+    assert (sharp == 2).sum() == 2 * 4 * 48  # four circles, each edge with two sides
+    assert ((sharp == 1) == (mesh.edges().sharp == 1)).all() and sharp.max() == 2
+    assert mesh.edges().sharp.max() == 1

@@ -31,7 +31,7 @@ class MeshEdges(NamedTuple):
     Attributes
     ----------
     sharp : array of int32, shape (m, 3)
-        1 if the edge from corner k of a face to the next corner is sharp, else 0.
+        1 if the edge from corner k of a face to the next corner is sharp, 2 if it is a tangent edge, else 0.
     patches : array of int32, shape (m,)
         The number of each face's patch, from 0 in the order of their first faces.
     info : MeshEdgesInfo

@@ -210,9 +210,10 @@ Runs find_runs(base::Memory& memory, const Drawing& drawing, bool far_to_near, c
 // ---- Names and pens
 
 // The names of kinds of lines, indexed by hrbfnpr_line_style.kind.
-constexpr std::array<const char*, 16> line_names{
-    "lines",   "contour", "suggestive", "ridge",  "valley", "apparent ridge", "parabolic", "isophote",
-    "section", "border",  "own",        "crease", "shadow", "terminator",     "soft edge", "intersection"};
+constexpr std::array<const char*, 17> line_names{
+    "lines",     "contour",    "suggestive", "ridge",        "valley",      "apparent ridge",
+    "parabolic", "isophote",   "section",    "border",       "own",         "crease",
+    "shadow",    "terminator", "soft edge",  "intersection", "tangent edge"};
 constexpr std::size_t own_lines = 10;
 
 void append(char (&name)[PageGroup::most], const char* what, int number) noexcept {
