@@ -71,15 +71,15 @@ struct Crossing {
 
 // Walks from the middle of a side across its face and further, at right angles to the side. Calls visit(crossing)
 // where the walk passes from one face to the next one. The walk ends where visit returns false, after the distance
-// `reach`, at a border, or after `most_faces` faces. Returns the length of the walk.
+// `reach`, at a border, or after `face_limit` faces. Returns the length of the walk.
 template <class Visit>
-double walk_beside(const HalfEdgeMesh& sided, std::int64_t side, double reach, std::int64_t most_faces,
+double walk_beside(const HalfEdgeMesh& sided, std::int64_t side, double reach, std::int64_t face_limit,
                    Visit&& visit) noexcept {
     HRBFNPR_ASSERT(side >= 0 && side < sided.beyond.size() && reach >= 0.0);
     glm::dvec3 place = sided.from(side) + 0.5 * sided.along(side);
     glm::dvec3 way = glm::normalize(glm::cross(sided.normal[side / 3], sided.along(side)));
     double walked = 0.0;
-    for (std::int64_t faces = 0; faces < most_faces; ++faces) {
+    for (std::int64_t faces = 0; faces < face_limit; ++faces) {
         const glm::dvec3& normal = sided.normal[side / 3];
         std::int64_t exit = -1;
         double distance = std::numeric_limits<double>::infinity();
