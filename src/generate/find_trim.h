@@ -61,8 +61,8 @@ using ImplicitFor = std::function<const implicit::Implicit&(double evaluations, 
 // Returns the bounding box of a surface through samples at `position`. In most cases, this is the box of the implicit
 // function. If samples lie along curves, and there are at most 20000 of them, or if there are at most 100, the surface
 // may bulge out of the function's box: between the curves of a wire frame, outside the first and last of several cross
-// sections, or between a few points. In this case, if the surface closes within a third of a diagonal around the samples, the result contains both the function's
-// box and the closed surface.
+// sections, or between a few points. In this case, if the surface closes within a third of a diagonal around the
+// samples, the result contains both the function's box and the closed surface.
 [[nodiscard]] geometry::Bounds closed_bounds(const base::Work& work, const implicit::Implicit& implicit,
                                              const geometry::VecArray& position);
 
