@@ -824,7 +824,7 @@ typedef struct hrbfnpr_model_info {
     int64_t flipped_found;    /* number of normals that are opposite to those of their neighbours */
     int64_t flipped_repaired; /* number of these that were left out or turned round */
     double bounds_min[3];     /* lower corner of the samples' box.  For up to 20 000 samples along curves, or 100
-                                 others, it also holds the surface, if that closes within a third of a diagonal around */
+                                 others, it also holds the surface, if that closes within a third of a diagonal */
     double bounds_max[3];     /* upper corner of the box */
     double spacing;           /* mean distance of a sample to its nearest neighbour */
     double kernel_radius;     /* the one used; 0 for TRIHARMONIC */
