@@ -33,15 +33,16 @@ struct GrowingOutline {
         return glm::length(a - b) <= least && points.size() > 1;
     }
     [[nodiscard]] bool is_closed() const noexcept { return meets(points.back(), points.front()); }
-    // Appends a part that continues this outline. The part's first point is skipped, because it coincides with the end
-    // of the outline. If `turned` is true, the part's last point coincides with the end of the outline, so the part is
-    // appended in reverse order.
+    // Appends a part that continues this outline. If `turned` is true, the part's last point meets the end of the
+    // outline, so the part is appended in reverse order. A point that coincides with the end of the outline is skipped.
     void append(const Outline& part, bool turned) {
         const std::size_t before = points.size();
+        const double gap = glm::length((turned ? part.back() : part.front()) - points.back());
+        const int skipped = gap <= std::max(cut_faces_tuning.closed * length, cut_faces_tuning.rounding) ? 1 : 0;
         if (turned)
-            points.insert(points.end(), std::next(part.rbegin()), part.rend());
+            points.insert(points.end(), std::next(part.rbegin(), skipped), part.rend());
         else
-            points.insert(points.end(), std::next(part.begin()), part.end());
+            points.insert(points.end(), std::next(part.begin(), skipped), part.end());
         length += length_of_outline(points, before - 1);
     }
 };

@@ -212,8 +212,11 @@ std::vector<bool> are_inside(const Surface& surface, std::initializer_list<glm::
 
 // A box with two cavities, one of which is wound the wrong way and holds a solid, beside a box without cavities.
 TEST_F(MeshSurface, KeepsCavitiesWhereHiddenLinesOrASectionShowThem) {
-    const auto cube = [](double half, double x) { return test::box(half, half, half, 1).moved(1.0, x, 0, 0); };
-    const test::Triangles from = test::box(3, 1, 1, 1)
+    const auto cube = [](double half, double x) {
+        return test::box(2 * half, 2 * half, 2 * half, 1).moved(1.0, x - half, -half, -half);
+    };
+    const test::Triangles from = test::box(6, 2, 2, 1)
+                                     .moved(1.0, -3, -1, -1)
                                      .with(cube(0.6, -1.5))
                                      .with(cube(0.25, -1.5).turned())
                                      .with(cube(0.6, 1.5).turned())
