@@ -424,7 +424,7 @@ void measure_part(hrbfnpr_context* context, const TechnicalPart& part, bool tell
 
 struct SheetResult {
     hrbfnpr_views_info info;
-    double seconds; // of the processor
+    double seconds; // processor time
 };
 
 SheetResult write_sheet(hrbfnpr_context* context, const TechnicalPart& part, bool verify) {

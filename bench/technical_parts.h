@@ -79,7 +79,7 @@ inline const dvec3 y_axis(0.0, 1.0, 0.0);
 }
 
 // Turns a profile (radius, height) around the z axis. The mesh is closed if the profile is.
-[[nodiscard]] inline PictureMesh revolved(const std::vector<dvec2>& profile, bool closed, int steps = 96) {
+[[nodiscard]] inline PictureMesh revolved(const std::vector<dvec2>& profile, bool closed, int steps = 240) {
     PictureMesh mesh;
     const auto rows = static_cast<std::int32_t>(profile.size());
     for (const dvec2& p : profile)

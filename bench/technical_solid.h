@@ -118,7 +118,7 @@ struct PlainSolid {
             const InsideSpans other = of[i].spans(p, d);
             if (kind == HRBFNPR_CSG_UNION)
                 found = united(found, other);
-            else // An intersection is outside of what is outside of either.
+            else // An intersection is the complement of the union of complements.
                 found =
                     outside_of(united(outside_of(found), kind == HRBFNPR_CSG_DIFFERENCE ? other : outside_of(other)));
         }

@@ -2890,7 +2890,7 @@ typedef struct hrbfnpr_drawing_info {
     int64_t line_tangles; /* cells of the image, four pixels wide or more, with so many crossings that none was used.
                              Lines run to and fro over each other there, as on a flat face seen edge-on */
     int64_t line_pieces;    /* visible and hidden parts of lines that rays were compared with (`verify_lines`) */
-    int64_t line_agreeing;  /* parts of which all decided rays show what is drawn */
+    int64_t line_agreeing;  /* parts whose decided rays all agree with the drawing */
     int64_t line_undecided; /* parts without a decided ray: they are within 0.4 pixels of an edge, in the image or in
                                depth */
     int64_t line_repaired;  /* parts that were divided, or drawn otherwise than counted, because rays disagreed */
@@ -4523,7 +4523,7 @@ typedef struct hrbfnpr_views_info {
     char scale_text[64]; /* scale in words, such as "1:2" */
     char paper[64];      /* paper, such as "a3" or "297 x 210" */
     int64_t pieces;      /* with VERIFY, drawn pieces of lines that rays were compared with */
-    int64_t agreeing;    /* pieces of which all decided rays show what is drawn */
+    int64_t agreeing;    /* pieces whose decided rays all agree with the drawing */
     int64_t undecided;   /* pieces without a decided ray: they are within 0.05 mm of an edge, in the view or in depth */
     int64_t repaired;    /* pieces that were divided, or drawn otherwise, because rays disagreed */
 } hrbfnpr_views_info;

@@ -100,7 +100,7 @@ struct VisibilityTuning {
 };
 inline constexpr VisibilityTuning visibility_tuning;
 
-// Rays that prove what is visible. `scripts/bench technical` measures their effects.
+// Rays that prove which places are visible. `scripts/bench technical` measures their effects.
 struct SightTuning {
     // A step of a ray is this share of the distance from the surface, as |f| / |grad f| estimates it. Larger: fewer
     // evaluations, and surfaces between two steps may be missed.

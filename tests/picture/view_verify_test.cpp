@@ -111,7 +111,7 @@ TEST_F(ViewVerify, RightPiecesStayAndUndecidedOnesAreNotSure) {
     EXPECT_TRUE(curves[2].sure.empty());
 }
 
-// A cutting plane takes away what is before it; its cut face hides.
+// A cutting plane takes away the part before it. Its cut face hides lines.
 TEST_F(ViewVerify, RaysOfSectionsEndAtThePlane) {
     const CutPlane plane{String("A", &pool), glm::dvec3(0.0, -1.0, 0.0), 0.5}; // y = -0.5
     Vector<ViewCurve> curves(&pool);

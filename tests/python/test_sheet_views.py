@@ -287,3 +287,20 @@ def test_a_mesh_tells_its_tangent_edges(pin):
     assert (sharp == 2).sum() == 2 * 4 * 48  # four circles, each edge with two sides
     assert ((sharp == 1) == (mesh.edges().sharp == 1)).all() and sharp.max() == 2
     assert mesh.edges().sharp.max() == 1
+
+
+def test_verified_sheets_carry_how_many_pieces_agree(bush, tmp_path, capsys):
+    output = tmp_path / "sheet.svg"
+    assert main(["sheet-views", str(bush), str(output), "--up", "z", "--views", "front,top", "--section", "y", "--verify"]) == 0
+    said = re.search(r"(\d+) of (\d+) pieces of lines agree with rays; (\d+) undecided, \d+ repaired", capsys.readouterr().err)
+    assert said.group(1) == said.group(2)
+    assert int(said.group(2)) > 10
+    assert said.group(0) in output.read_text()
+
+
+def test_pictures_can_be_verified(ring, tmp_path, capsys):
+    options = ["--style", "silhouette", "--size", "200", "--azimuth", "20", "--elevation", "25"]
+    assert main(["draw", str(ring), str(tmp_path / "ring.png"), *options, "--verify"]) == 0
+    said = re.search(r"(\d+) of (\d+) pieces of lines agree with rays", capsys.readouterr().err)
+    assert said.group(1) == said.group(2)
+    assert int(said.group(2)) >= 2

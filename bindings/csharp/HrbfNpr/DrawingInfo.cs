@@ -122,7 +122,7 @@ namespace HrbfNpr
         /// </summary>
         public readonly long LinePieces;
 
-        /// <summary>Number of these parts of which all decided rays show what is drawn.</summary>
+        /// <summary>Number of these parts whose decided rays all agree with the drawing.</summary>
         public readonly long LineAgreeing;
 
         /// <summary>

@@ -110,7 +110,7 @@ namespace HrbfNpr
         /// <summary>Number of drawn pieces of lines that rays were compared with (<see cref="ViewsOptions.Verify"/>).</summary>
         public readonly long Pieces;
 
-        /// <summary>Number of pieces of which all decided rays show what is drawn.</summary>
+        /// <summary>Number of pieces whose decided rays all agree with the drawing.</summary>
         public readonly long Agreeing;
 
         /// <summary>

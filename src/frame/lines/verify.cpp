@@ -80,7 +80,7 @@ void add_places(const LinePart& part, std::int64_t number, base::Array<LookedAt>
 struct Turn {
     std::int64_t part;
     double at;
-    Sighting from; // what is seen from there on
+    Sighting from; // the sighting from there on
 };
 
 // Finds the turns of parts, each between two places that differ. Halving the way between them makes them exact.
