@@ -182,6 +182,17 @@ TEST_F(CurvesTest, DrawsOtherCurvesAsCubics) {
     expect_near(ellipse(), line);
 }
 
+// Several arcs to one side may stand for any curve that bends ever more, so they are not taken for the curve itself.
+TEST_F(CurvesTest, DrawsArcsThatBendMoreAndMoreAsCubics) {
+    Places places;
+    add_arc(places, {0.0, 0.0}, 10.0, 0.0, 2.0, 100);
+    add_arc(places, -4.0 * dvec2(std::cos(2.0), std::sin(2.0)), 14.0, 2.0, 4.0, 100);
+    const CurveLine line = fit(places);
+    EXPECT_EQ(kinds_of(line).find_first_not_of('c'), std::string::npos) << kinds_of(line);
+    EXPECT_GE(line.pieces.size(), 2U);
+    expect_near(places, line);
+}
+
 TEST_F(CurvesTest, CanDrawEverythingAsCubicsOrLines) {
     EXPECT_EQ(kinds_of(fit(slot(), true, Curves::splines)).find('a'), std::string::npos);
     const CurveLine lines = fit(slot(), true, Curves::lines);
