@@ -76,8 +76,8 @@ class ModelInfo:
     flipped_repaired : int
         Number of these that were left out or turned round.
     bounds_min : tuple of float
-        Lower corner of the samples' box. For up to 20 000 samples along curves, the box also holds the surface, if
-        that closes within a third of a diagonal around the samples.
+        Lower corner of the samples' box. For up to 20 000 samples along curves, or 100 others, it also holds the
+        surface, if that closes within a third of a diagonal.
     bounds_max : tuple of float
         Upper corner of the samples' box.
     spacing : float
@@ -546,7 +546,7 @@ class DrawingInfo:
     line_pieces : int
         Visible and hidden parts of lines that rays were compared with (`verify_lines`).
     line_agreeing : int
-        Parts of which all decided rays show what is drawn.
+        Parts whose decided rays all agree with the drawing.
     line_undecided : int
         Parts without a decided ray: they are within 0.4 pixels of an edge, in the image or in depth.
     line_repaired : int

@@ -1880,11 +1880,11 @@ export interface Functions {
    * hrbfnpr_write_fn write, void* user, hrbfnpr_views_info* info, hrbfnpr_operation* operation, hrbfnpr_error*
    * error)
    *
-   * Writes a sheet of views of a picture's first part, which must have a model.  A picture made with SURFACE_ONLY
-   * is
-   * enough, and its model has the cavities of a mesh; others may need SOLIDS as `parts`.  `desc`, `info` and
-   * `operation`
-   * may be NULL.  The picture gets stages LINES and VIEWS, and notes UNIT_IS_METRE, NO_SYMMETRY, SECTION_OPEN and
+   * Writes a sheet of views of a picture's parts, which must have models.  A picture made with SURFACE_ONLY is
+   * enough,
+   * and its models have the cavities of meshes; others may need SOLIDS as `parts`.  `desc`, `info` and `operation`
+   * may be
+   * NULL.  The picture gets stages LINES and VIEWS, and notes UNIT_IS_METRE, NO_SYMMETRY, SECTION_OPEN and
    * LINES_VERIFIED.
    * Errors: INVALID_ARGUMENT (a picture of a point set; a text that is not understood; a plane that misses the
    * model;

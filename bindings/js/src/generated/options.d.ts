@@ -341,8 +341,8 @@ export interface ModelInfo {
   /** number of these that were left out or turned round */
   readonly flippedRepaired: number;
   /**
-   * lower corner of the samples' box. For up to 20 000 samples along curves, the box also holds the surface, if
-   * that closes within a third of a diagonal around the samples
+   * lower corner of the samples' box. For up to 20 000 samples along curves, or 100 others, it also holds the
+   * surface, if that closes within a third of a diagonal
    */
   readonly boundsMin: Numbers;
   /** upper corner of the box */
@@ -1732,7 +1732,7 @@ export interface DrawingInfo {
   readonly lineTangles: number;
   /** visible and hidden parts of lines that rays were compared with (`verify_lines`) */
   readonly linePieces: number;
-  /** parts of which all decided rays show what is drawn */
+  /** parts whose decided rays all agree with the drawing */
   readonly lineAgreeing: number;
   /** parts without a decided ray: they are within 0.4 pixels of an edge, in the image or in depth */
   readonly lineUndecided: number;
@@ -2890,7 +2890,7 @@ export interface ViewsInfo {
   readonly paper: string;
   /** with VERIFY, drawn pieces of lines that rays were compared with */
   readonly pieces: number;
-  /** pieces of which all decided rays show what is drawn */
+  /** pieces whose decided rays all agree with the drawing */
   readonly agreeing: number;
   /** pieces without a decided ray: they are within 0.05 mm of an edge, in the view or in depth */
   readonly undecided: number;

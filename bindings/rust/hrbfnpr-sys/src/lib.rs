@@ -1222,8 +1222,8 @@ pub struct hrbfnpr_model_info {
     pub flipped_found: i64,
     /// number of these that were left out or turned round
     pub flipped_repaired: i64,
-    /// lower corner of the samples' box. For up to 20 000 samples along curves, the box also
-    /// holds the surface, if that closes within a third of a diagonal around the samples
+    /// lower corner of the samples' box. For up to 20 000 samples along curves, or 100 others, it
+    /// also holds the surface, if that closes within a third of a diagonal
     pub bounds_min: [f64; 3],
     /// upper corner of the box
     pub bounds_max: [f64; 3],
@@ -4180,7 +4180,7 @@ pub struct hrbfnpr_drawing_info {
     pub line_tangles: i64,
     /// visible and hidden parts of lines that rays were compared with (`verify_lines`)
     pub line_pieces: i64,
-    /// parts of which all decided rays show what is drawn
+    /// parts whose decided rays all agree with the drawing
     pub line_agreeing: i64,
     /// parts without a decided ray: they are within 0.4 pixels of an edge, in the image or in depth
     pub line_undecided: i64,
@@ -6653,7 +6653,7 @@ pub struct hrbfnpr_views_info {
     pub paper: [c_char; 64],
     /// with VERIFY, drawn pieces of lines that rays were compared with
     pub pieces: i64,
-    /// pieces of which all decided rays show what is drawn
+    /// pieces whose decided rays all agree with the drawing
     pub agreeing: i64,
     /// pieces without a decided ray: they are within 0.05 mm of an edge, in the view or in depth
     pub undecided: i64,
@@ -6667,12 +6667,12 @@ extern "C" {
         info: *mut hrbfnpr_views_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Writes a sheet of views of a picture's first part, which must have a model.  A picture
-    /// made with SURFACE_ONLY is
-    /// enough, and its model has the cavities of a mesh; others may need SOLIDS as `parts`.
-    /// `desc`, `info` and `operation`
-    /// may be NULL.  The picture gets stages LINES and VIEWS, and notes UNIT_IS_METRE,
-    /// NO_SYMMETRY, SECTION_OPEN and
+    /// Writes a sheet of views of a picture's parts, which must have models.  A picture made with
+    /// SURFACE_ONLY is enough,
+    /// and its models have the cavities of meshes; others may need SOLIDS as `parts`.  `desc`,
+    /// `info` and `operation` may be
+    /// NULL.  The picture gets stages LINES and VIEWS, and notes UNIT_IS_METRE, NO_SYMMETRY,
+    /// SECTION_OPEN and
     /// LINES_VERIFIED.
     /// Errors: INVALID_ARGUMENT (a picture of a point set; a text that is not understood; a plane
     /// that misses the model;
