@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests rays that prove which places are visible, against distances of straight lines from balls, walls and an open sheet.
+// Tests rays that prove which places are visible, against distances of straight lines from balls, walls and an open
+// sheet.
 #include "visibility/sight.h"
 
 #include "stage.h"
