@@ -10,7 +10,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cmath>
+#include <sstream>
 #include <vector>
 
 namespace picture_tests::views_test {
@@ -123,15 +125,26 @@ TEST_F(ViewsTest, SurfacesThatCrossHaveALine) {
     desc.scale = "1:1";
     const std::string sheet = written();
     EXPECT_THAT(sheet, HasSubstr("outlines front"));
-    const auto strokes_of = [&](const std::string& layer) {
-        const std::size_t begin = sheet.find("inkscape:label=\"" + layer + "\"");
-        const std::string group = sheet.substr(begin, sheet.find("</g>", begin) - begin);
-        std::size_t count = 0;
-        for (std::size_t at = group.find("<path"); at != std::string::npos; at = group.find("<path", at + 1)) ++count;
-        return count;
-    };
-    // The outline of both balls and the circle in which they cross.
-    EXPECT_GE(strokes_of("outlines front"), 2U);
+    // The circle is seen edge-on: a line of 34.6 mm that goes straight up.
+    const std::size_t begin = sheet.find("inkscape:label=\"outlines front\"");
+    const std::string group = sheet.substr(begin, sheet.find("</g>", begin) - begin);
+    int upright = 0;
+    for (std::size_t at = group.find(" d=\"M"); at != std::string::npos; at = group.find(" d=\"M", at + 1)) {
+        const std::size_t end = group.find('"', at + 4);
+        std::string path = group.substr(at + 5, end - at - 5);
+        for (char& c : path)
+            if (std::isalpha(static_cast<unsigned char>(c)) != 0) c = ' ';
+        std::istringstream numbers(path);
+        double x = 0.0, y = 0.0, wide = 0.0, high = 0.0;
+        numbers >> x >> y;
+        // All places after the first are relative; the sum of control points is at least as far as the path goes.
+        for (double dx = 0.0, dy = 0.0; numbers >> dx >> dy;) {
+            wide += std::abs(dx);
+            high += std::abs(dy);
+        }
+        upright += wide < 1.0 && high > 34.0 ? 1 : 0;
+    }
+    EXPECT_EQ(upright, 1);
 }
 
 TEST_F(ViewsTest, UnitsAndTitlesAreApplied) {
