@@ -110,7 +110,7 @@ struct StraysTuning {
     static constexpr std::size_t neighbours = 8;
     // A stray is this many times as far from its last neighbour as usual, and as its neighbours are from theirs.
     // Larger: dust near a surface stays.
-    double sparse = 1.75;
+    double sparse = 1.5;
     // A point this many times as far from its last neighbour as usual may be a stray beside other strays. Larger: more
     // dust stays; smaller: coarse parts of a surface are left out.
     double very_sparse = 3.0;
