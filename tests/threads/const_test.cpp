@@ -270,7 +270,12 @@ void add_point_sets(std::map<std::string, Call>& calls) {
         result.add(info.triangles);
     });
     RETAIN_AND_RELEASE(line_set, s.lines);
-    INFO(hrbfnpr_line_set_get_info, hrbfnpr_line_set_info, s.lines);
+    CALL(hrbfnpr_line_set_get_info) {
+        auto info = made(hrbfnpr_line_set_info_init);
+        status = hrbfnpr_line_set_get_info(s.lines.get(), &info, error);
+        info.bytes = 0; // This grows when the first ray on the set makes a tree, which another thread may do meanwhile.
+        result.add(info);
+    });
     RETAIN_AND_RELEASE(occluders, s.occluders);
     RETAIN_AND_RELEASE(shading, s.shading);
     CALL(hrbfnpr_shading_create) {
