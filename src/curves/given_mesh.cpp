@@ -112,7 +112,8 @@ SurfaceMesh mesh_of_triangles(const base::Work& work, const implicit::Implicit& 
     if (settings.strip > 0.0) add_strips(work, settings.strip, mesh);
     if (implicit.sheets() != nullptr) move_off_creases(work, mesh);
     move_onto_surface(work.part(0.0, 0.5), implicit, mesh);
-    while (mesh.triangles() < settings.triangle_limit / 2) {
+    // An edge across a gap between two parts of the surface stays long, however often it is halved.
+    for (int round = 0; round < curve_tuning.most_halvings && mesh.triangles() < settings.triangle_limit / 2; ++round) {
         const base::Array<std::int64_t> edges = long_edges(work, mesh);
         if (edges.empty() ||
             !halve_edges(work.part(0.5, 0.9), implicit, edges, curve_tuning.farthest_middle, false, mesh))

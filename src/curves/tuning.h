@@ -21,6 +21,9 @@ struct CurveTuning {
     // The middle of a halved edge of given triangles may move by at most this share of the edge's length. Larger:
     // coarse triangles of round shapes are halved, but edges across thin walls are, too.
     double farthest_middle = 0.4;
+    // The largest number of rounds in which long edges of given triangles are halved. Larger: coarser triangles are
+    // divided as finely as cells, but edges across gaps take longer.
+    int most_halvings = 10;
     // Vertices of given triangles move off creases by this share of their distance from the middle of a face. Larger:
     // the triangles become less even. 0: triangles beside a crease are degenerate.
     double off_crease = 0.15;
