@@ -58,7 +58,7 @@ inline void add_cages(std::vector<Model>& models) {
 }
 
 inline void add_blobs(std::vector<Model>& models) {
-    for (const std::uint64_t seed : {7, 10, 14})
+    for (const std::uint64_t seed : {7U, 10U, 14U})
         for (int level = 1; level <= 2; ++level) {
             const Quads mesh = subdivided(blob(seed), level);
             const std::string name = "blob " + std::to_string(seed) + " " + std::to_string(level);

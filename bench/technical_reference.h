@@ -125,9 +125,9 @@ private:
                 });
             });
         return std::any_of(part_.mesh.faces.begin(), part_.mesh.faces.end(), [&](const Face& face) {
-            const glm::dvec3 a = part_.mesh.points[face[0]];
-            const glm::dvec3 u = part_.mesh.points[face[1]] - a;
-            const glm::dvec3 v = part_.mesh.points[face[2]] - a;
+            const glm::dvec3 a = corner(face, 0);
+            const glm::dvec3 u = corner(face, 1) - a;
+            const glm::dvec3 v = corner(face, 2) - a;
             const glm::dvec3 h = glm::cross(way, v);
             const double det = glm::dot(u, h);
             if (det == 0.0) return false;
@@ -138,24 +138,26 @@ private:
             return x >= 0.0 && y >= 0.0 && x + y <= 1.0 && glm::dot(v, q) / det > 0.0;
         });
     }
+    [[nodiscard]] const glm::dvec3& point(std::int32_t number) const {
+        return part_.mesh.points[static_cast<std::size_t>(number)];
+    }
+    [[nodiscard]] const glm::dvec3& corner(const Face& face, std::size_t k) const { return point(face[k]); }
     [[nodiscard]] glm::dvec3 normal_of(const Face& face) const {
-        const std::vector<glm::dvec3>& p = part_.mesh.points;
-        return glm::normalize(glm::cross(p[face[1]] - p[face[0]], p[face[2]] - p[face[0]]));
+        return glm::normalize(glm::cross(corner(face, 1) - corner(face, 0), corner(face, 2) - corner(face, 0)));
     }
     // Returns the distance of a place from a triangle.
     [[nodiscard]] double distance(const glm::dvec3& p, const Face& face) const {
-        const std::vector<glm::dvec3>& q = part_.mesh.points;
         const glm::dvec3 n = normal_of(face);
         bool inside = true;
         double to_edge = 1e300;
         for (std::size_t k = 0; k < 3; ++k) {
-            const glm::dvec3 a = q[face[k]];
-            const glm::dvec3 b = q[face[(k + 1) % 3]];
+            const glm::dvec3 a = corner(face, k);
+            const glm::dvec3 b = corner(face, (k + 1) % 3);
             inside = inside && glm::dot(glm::cross(b - a, p - a), n) >= 0.0;
             const double share = std::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
             to_edge = std::min(to_edge, glm::distance(p, glm::mix(a, b, share)));
         }
-        return inside ? std::abs(glm::dot(p - q[face[0]], n)) : to_edge;
+        return inside ? std::abs(glm::dot(p - corner(face, 0), n)) : to_edge;
     }
 
     [[nodiscard]] std::vector<glm::dvec3> places_on_mesh() const {
@@ -168,8 +170,8 @@ private:
         std::vector<glm::dvec3> places;
         for (const auto& [edge, normals] : edges) {
             if (normals.size() == 2 && glm::dot(normals[0], normals[1]) > std::cos(glm::radians(30.0))) continue;
-            const glm::dvec3 a = part_.mesh.points[edge.first];
-            const glm::dvec3 b = part_.mesh.points[edge.second];
+            const glm::dvec3 a = point(edge.first);
+            const glm::dvec3 b = point(edge.second);
             const int count = 1 + static_cast<int>(glm::distance(a, b) / (0.01 * diagonal));
             for (int i = 0; i < count; ++i) places.push_back(glm::mix(a, b, (i + 0.5) / count));
         }

@@ -150,7 +150,7 @@ TEST_F(ViewVerify, TheSheetCarriesItsFigures) {
             return 0;
         };
         const Call call = planned.call();
-        write_views(call, surface, {0, 0, 1}, read_views(desc, call.report), write, &bytes, info);
+        write_views(call, std::span(&surface, 1), {0, 0, 1}, read_views(desc, call.report), write, &bytes, info);
         return bytes;
     };
     EXPECT_THAT(written(), Not(HasSubstr("pieces of lines")));
