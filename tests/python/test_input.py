@@ -119,11 +119,11 @@ def holed():
     return obj(vertices, [face[::-1] for face in faces])
 
 
-def nested_parts():
-    vertices, faces = tube()
+def nested_parts(ends=True):
+    vertices, faces = tube(ends=ends)
     middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2
     inside = [[i + len(vertices) for i in face] for face in faces]
-    return obj(np.vstack([vertices, middle + 0.3 * (vertices - middle)]), [*faces, *inside])
+    return obj(np.vstack([vertices, middle + 0.3 * (vertices - middle)]), [*tube()[1], *inside])
 
 
 def far_away():
@@ -212,7 +212,7 @@ ROWS = {
         "a.ptx", lambda: ptx(wall(), 30).decode(), [], 0),
     "points with normals and noise": ("a.xyz", lambda: table(noisy(), fibonacci_sphere(1500)), [], 0),
     "points with noise, without normals": ("a.xyz", lambda: table(noisy()), [], 0),
-    "points without normals, with stray points around them": ("a.xyz", lambda: table(dusty()), [], 0),
+    "points with stray points around them": ("a.xyz", lambda: table(dusty()), [], 0),
     "points along curves, such as wires, cross sections or a tracked pen": ("a.xyz", lambda: table(rings()), [], 0),
     "points with colours, without normals": (
         "a.xyz", lambda: "".join(f"{x} {y} {z} 9 200 31\n" for x, y, z in ball()[0].tolist()), [], 0),
@@ -241,7 +241,8 @@ ROWS = {
     "mesh of solids that share faces, such as voxels": ("a.obj", voxels, [], 0),
     "mesh with a tiny part far away": ("a.obj", lost, [], 0),
     "mesh or points with -9999 or a similar number for missing data": ("a.obj", no_data, [], 0),
-    "mesh with parts inside others": ("a.obj", nested_parts, [], 0),
+    "mesh with closed parts inside others, whichever way they are wound": ("a.obj", nested_parts, [], 0),
+    "mesh with open parts inside others": ("a.obj", lambda: nested_parts(ends=False), [], 0),
     "mesh with thin parts, `--samples` too small": ("a.obj", thin, ["--samples", "60"], 0),
     "mesh with parts closer than the tolerance":
         ("a.obj", near_parts, ["--tolerance", "0.05"], 0),
@@ -277,7 +278,7 @@ SAID = {
         "note: the samples are noisy: the surface is smoothed (--regularization 0 keeps the noise)",
     "points with noise, without normals":
         "note: the samples are noisy: the surface is smoothed (--regularization 0 keeps the noise)",
-    "points without normals, with stray points around them":
+    "points with stray points around them":
         "note: N points far from all others left out (--outliers keep keeps them)",
     "points along curves, such as wires, cross sections or a tracked pen":
         "note: the points lie along curves: the surface between the curves is drawn too",
@@ -312,7 +313,9 @@ SAID = {
     "mesh with a tiny part far away": "note: N part (N face) far from all others left out",
     "mesh or points with -9999 or a similar number for missing data":
         "note: N vertices left out, as the value -9999 marks missing data",
-    "mesh with parts inside others": "note: N part inside others left out (N faces)",
+    "mesh with closed parts inside others, whichever way they are wound":
+        "note: N part inside others left out (N faces)",
+    "mesh with open parts inside others": "note: N part inside others left out (N faces)",
     "mesh with thin parts, `--samples` too small":
         "warning: N% of the mesh is more than 1% of the diagonal off the surface",
     "mesh with parts closer than the tolerance":
