@@ -24,7 +24,7 @@ def paths_of(path):
 
 
 def absolute(d):
-    """Points along an SVG path of M, L, H, V and C, absolute or relative."""
+    """Points along an SVG path of M, L, H, V, C and round A, absolute or relative."""
     points, at = [], np.zeros(2)
     t = np.linspace(0.1, 1, 10)[:, None]
     for command, numbers in re.findall(rf"([a-zA-Z])((?:[\s,]*{NUMBER})*)", d):
@@ -41,6 +41,11 @@ def absolute(d):
                 a, b, c = (origin * at + x for x in (a, b, c))
                 points += list((1 - t) ** 3 * at + 3 * t * (1 - t) ** 2 * a + 3 * t**2 * (1 - t) * b + t**3 * c)
                 at = c
+        elif command in "aA":
+            for radius, _, _, large, sweep, *end in values.reshape(-1, 7):
+                end = origin * at + np.array(end)
+                points += list(on_arc(at, end, radius, large, sweep, np.linspace(0.02, 1, 50)[:, None]))
+                at = end
         elif command in "mMlL":
             for pair in values.reshape(-1, 2):
                 at = origin * at + pair
@@ -48,6 +53,18 @@ def absolute(d):
         else:
             assert command in "zZ", command
     return np.array(points)
+
+
+def on_arc(begin, end, radius, large, sweep, share):
+    """Points at shares of the way along an arc of a circle."""
+    half = (end - begin) / 2
+    across = np.array((-half[1], half[0])) / np.linalg.norm(half)
+    side = 1.0 if large != sweep else -1.0
+    centre = begin + half + side * np.sqrt(max(0.0, radius**2 - half @ half)) * across
+    first, last = (np.arctan2(*(place - centre)[::-1]) for place in (begin, end))
+    turn = (last - first) % (2 * np.pi) if sweep else -((first - last) % (2 * np.pi))
+    angle = first + share * turn
+    return centre + radius * np.hstack((np.cos(angle), np.sin(angle)))
 
 
 def box_of(paths, prefix):
@@ -148,11 +165,14 @@ def test_a_section_is_hatched_inside_the_cut_only(ring, tmp_path):
     for line in hatching:
         step = line[-1] - line[0]
         assert abs(step[0]) == pytest.approx(abs(step[1]), abs=0.02) and step[0] * step[1] < 0  # rising at 45 degrees
-    # Half of the torus is visible beyond the plane: straight lines between the circles, and nothing hidden.
-    lines = [line - middle for line in paths["outlines A-A"]]
-    straight = [line for line in lines if line[:, 0].min() < -15 and line[:, 0].max() > 15]
-    assert sorted(round(line[:, 1].mean()) for line in straight) == [-8, 8]
-    assert all(np.ptp(line[:, 1]) < 0.5 for line in straight)
+    # Half of the torus is visible beyond the plane: straight lines between the circles, and nothing hidden.  Each may be
+    # drawn in several strokes.
+    for height in (-8, 8):
+        ends = [np.sort(line[:, 0] - middle[0]) for line in paths["outlines A-A"]
+                if np.abs(line[:, 1] - middle[1] - height).max() < 0.5]  # fmt: skip
+        ends = sorted((x[0], x[-1]) for x in ends)
+        assert ends[0][0] < -15 and ends[-1][1] > 15
+        assert all(begin - end < 0.1 for (_, end), (begin, _) in zip(ends, ends[1:]))
     assert "hidden A-A" not in paths
     assert {"cutting planes top", "cutting ends top"} <= set(paths)
 
