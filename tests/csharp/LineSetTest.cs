@@ -177,8 +177,9 @@ namespace HrbfNpr.Tests
             hrbfnpr_line_set_desc wanted, made;
             Errors.Check(NativeMethods.hrbfnpr_line_set_desc_init(&wanted, (uint)sizeof(hrbfnpr_line_set_desc)));
             using (var pins = new Pins())
+            using (var held = new HeldHandles())
             {
-                new LineSetOptions().Write(&made, pins);
+                new LineSetOptions().Write(&made, pins, held);
             }
             Assert.True(made.flags == wanted.flags && made.cell_size == wanted.cell_size && made.line_count == 0);
         }
