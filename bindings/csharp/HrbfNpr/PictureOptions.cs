@@ -223,8 +223,8 @@ namespace HrbfNpr
         /// </summary>
         public long MaximumCentres { get; set; }
 
-        /// <summary>Components of a mesh that are kept; default Outer.</summary>
-        public MeshParts Parts { get; set; }
+        /// <summary>Components of a mesh that are kept; default Auto.</summary>
+        public MeshParts Parts { get; set; } = MeshParts.Auto;
 
         /// <summary>Edges of a mesh that are sharp; default AsGiven.</summary>
         public PictureEdges Edges { get; set; }
