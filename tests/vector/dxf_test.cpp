@@ -236,7 +236,7 @@ TEST(Dxf, HasLayersWithInkWidthAndLineType) {
     EXPECT_EQ(dashed.text(6), "ACAD_ISO02W100");
     EXPECT_EQ(dashed.number(370), 25.0);
     EXPECT_EQ(layers.count("a_b____________gr\\U+00FCn _"), 1U);
-    const Record& type = dxf.entries("LTYPE").at("ACAD_ISO02W100");
+    const Record type = dxf.entries("LTYPE").at("ACAD_ISO02W100");
     EXPECT_EQ(type.numbers(49), (std::vector<double>{12.0, -3.0}));
     EXPECT_EQ(type.number(40), 15.0);
     ASSERT_EQ(dxf.entities().size(), 2U); // dashes are not cut
